@@ -1,0 +1,28 @@
+# VTK by named components: without them VTK 9.6 asks for every dependency it was built with.
+set(vtk_components
+  CommonCore
+  CommonDataModel
+  CommonExecutionModel
+  CommonMath
+  RenderingCore
+  RenderingOpenGL2
+  RenderingVolume)
+if(BUILD_TESTING)
+  list(APPEND vtk_components
+    FiltersCore
+    FiltersGeneral
+    FiltersSources
+    IOImage
+    IOLegacy
+    IOParallel
+    IOXML
+    ImagingCore
+    InteractionStyle
+    RenderingVolumeOpenGL2
+    TestingCore
+    TestingRendering)
+endif()
+if(CELLPROJECTION_WRAP_PYTHON)
+  list(APPEND vtk_components Python WrappingPythonCore)
+endif()
+find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components} OPTIONAL_COMPONENTS glad glew)

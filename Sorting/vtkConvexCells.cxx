@@ -1,0 +1,5 @@
+#include "vtkConvexCells.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkConvexCells);

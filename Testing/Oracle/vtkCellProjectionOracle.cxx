@@ -1,0 +1,5 @@
+#include "vtkCellProjectionOracle.h"
+
+#include "vtkObjectFactory.h"
+
+vtkStandardNewMacro(vtkCellProjectionOracle);
