@@ -1,0 +1,77 @@
+/**
+ * One run of vtkConvexCells: reads the mesh, plans each cell, writes the output's arrays.
+ *
+ * Passes, in the order of the methods: 1 merge points, 2 plan cells, 3 allocate, 4 write, 5 fill
+ * the output. Passes 2 and 4 work on blocks of cells, in parallel, each block writing at its own
+ * place in the output: the result does not depend on the threads. The algorithms are in
+ * CoincidentPoints, ConvexCellPlan and TetrahedralSplit.
+ */
+#ifndef ConvexCellConversion_h
+#define ConvexCellConversion_h
+
+#include "ConvexCellCounts.h"
+#include "ConvexCellPlan.h"
+#include "PointCoordinates.h"
+
+#include "vtkNew.h"
+#include "vtkSmartPointer.h"
+
+#include <vector>
+
+class vtkCellArray;
+class vtkIdList;
+class vtkIdTypeArray;
+class vtkUnsignedCharArray;
+class vtkUnstructuredGrid;
+class vtkUnstructuredGridBase;
+
+class ConvexCellConversion
+{
+public:
+  ConvexCellConversion(vtkUnstructuredGridBase* input, bool tetrahedraOnly);
+  ~ConvexCellConversion();
+
+  vtkIdType GetNumberOfBlocks() const;
+
+  void ReadCells();                                 // types and point ids
+  void MergePoints();                               // a canonical id per point, or why it has none
+  void PlanBlocks(vtkIdType begin, vtkIdType end);  // what becomes of each cell
+  void AllocateCells();                             // where each block begins in the output
+  void WriteBlocks(vtkIdType begin, vtkIdType end); // cells and SourceCell
+  void FillOutput(vtkUnstructuredGrid* output);     // points and data
+  ConvexCellCounts Count() const;
+
+private:
+  using Shape = TetrahedralSplit::Shape;
+
+  bool ReadIds(vtkIdType cell, Shape shape, vtkIdList* list, vtkIdType* ids) const;
+  ConvexCellPlan PlanCell(vtkIdType cell, vtkIdList* list) const;
+  void NumberOutputPoints();
+  void FillPoints(vtkUnstructuredGrid* output) const;
+  void FillCellData(vtkUnstructuredGrid* output) const;
+  template <typename Visit>
+  void VisitBlocks(vtkIdType begin, vtkIdType end, Visit visit);
+
+  vtkUnstructuredGridBase* Input;
+  const bool TetrahedraOnly;
+  const vtkIdType NumberOfPoints;
+  const vtkIdType NumberOfCells;
+  const PointCoordinates Points;
+  const unsigned char* GhostCells;
+
+  std::vector<unsigned char> Types;
+  vtkSmartPointer<vtkCellArray> Cells;
+  std::vector<vtkIdType> Canonical;    // by input point
+  std::vector<vtkIdType> OutputIds;    // by input point; empty where nothing is merged or removed
+  std::vector<vtkIdType> SourcePoints; // by output point; empty likewise
+  vtkIdType NumberOfMergedPoints = 0;
+
+  std::vector<ConvexCellPlan> Plans;         // by input cell
+  std::vector<ConvexCellCursor> BlockStarts; // one more than there are blocks
+  vtkNew<vtkUnsignedCharArray> OutputTypes;
+  vtkNew<vtkIdTypeArray> Offsets;
+  vtkNew<vtkIdTypeArray> Ids;
+  vtkNew<vtkIdTypeArray> SourceCells;
+};
+
+#endif

@@ -1,0 +1,72 @@
+#include "ConvexCellCounts.h"
+
+#include "vtkCell.h"
+#include "vtkGenericCell.h"
+#include "vtkSmartPointer.h"
+
+#include <array>
+
+namespace
+{
+void AppendKind(std::string& summary, vtkIdType count, const std::string& what)
+{
+  if (count > 0)
+  {
+    summary += (summary.empty() ? "cells left out: " : ", ") + std::to_string(count) + " " + what;
+  }
+}
+
+void CountOtherTypes(const std::vector<ConvexCellPlan>& plans,
+  const std::vector<unsigned char>& types, ConvexCellCounts& counts)
+{
+  std::array<vtkIdType, 256> cells{};
+  for (std::size_t cell = 0; cell < plans.size(); ++cell)
+  {
+    cells[types[cell]] += plans[cell].Fate == ConvexCellPlan::OtherType;
+  }
+  for (int type = 0; type < 256; ++type)
+  {
+    if (cells[type] == 0)
+    {
+      continue;
+    }
+    const auto example = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+    const int dimension = example ? example->GetCellDimension() : 3;
+    const std::string name = example ? example->GetClassName() : "of type " + std::to_string(type);
+    (dimension < 3 ? counts.LowerDimensionalCells : counts.UnsupportedCells) += cells[type];
+    AppendKind(counts.LeftOutSummary, cells[type],
+      name + (dimension < 3 ? " (" + std::to_string(dimension) + "-D)" : " (not supported)"));
+  }
+}
+}
+
+ConvexCellCounts CountConvexCells(
+  const std::vector<ConvexCellPlan>& plans, const std::vector<unsigned char>& types)
+{
+  ConvexCellCounts counts;
+  std::array<vtkIdType, ConvexCellPlan::Invalid + 1> fates{};
+  for (const ConvexCellPlan& plan : plans)
+  {
+    ++fates[plan.Fate];
+    counts.DegenerateCells += plan.Dropped > 0;
+    counts.DroppedTetrahedra += plan.Dropped;
+    counts.InvertedCells += plan.Inverted;
+    counts.FoldedCells += plan.Folded;
+  }
+  counts.ZeroVolumeCells = fates[ConvexCellPlan::ZeroVolume];
+  counts.GhostCells = fates[ConvexCellPlan::Ghost];
+  counts.NonFiniteCells = fates[ConvexCellPlan::NonFinite];
+  counts.InvalidCells = fates[ConvexCellPlan::Invalid];
+  counts.SkippedCells = static_cast<vtkIdType>(plans.size()) - fates[ConvexCellPlan::Whole] -
+                        fates[ConvexCellPlan::Tetrahedra];
+  if (fates[ConvexCellPlan::OtherType] > 0)
+  {
+    CountOtherTypes(plans, types, counts);
+  }
+  std::string& summary = counts.LeftOutSummary;
+  AppendKind(summary, counts.ZeroVolumeCells, "of zero volume");
+  AppendKind(summary, counts.GhostCells, "ghost or hidden");
+  AppendKind(summary, counts.NonFiniteCells, "with a point that is not finite");
+  AppendKind(summary, counts.InvalidCells, "with a wrong list of points");
+  return counts;
+}
