@@ -1,0 +1,101 @@
+#include "BackToFrontOrder.h"
+
+#include "CellProjectionFrame.h"
+#include "vtkCamera.h"
+#include "vtkCellCenterDepthSort.h"
+#include "vtkIdTypeArray.h"
+#include "vtkMatrix4x4.h"
+#include "vtkRenderer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+
+#include <algorithm>
+
+namespace
+{
+// VTK's own mapper asks for cells in batches of this size.
+constexpr int BatchSize = 1000;
+}
+
+//------------------------------------------------------------------------------
+BackToFrontOrder::View BackToFrontOrder::TakeView(CellProjectionFrame& frame)
+{
+  vtkCamera* camera = frame.Renderer->GetActiveCamera();
+  View view;
+  std::copy_n(camera->GetModelViewTransformMatrix()->GetData(), 16, view.begin());
+  std::copy_n(frame.Volume->GetMatrix()->GetData(), 16, view.begin() + 16);
+  view[32] = camera->GetParallelProjection();
+  return view;
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySort* BackToFrontOrder::Choose(vtkVisibilitySort* sort)
+{
+  if (sort)
+  {
+    return sort;
+  }
+  if (!this->Default)
+  {
+    this->Default = vtkSmartPointer<vtkCellCenterDepthSort>::New();
+  }
+  return this->Default;
+}
+
+//------------------------------------------------------------------------------
+bool BackToFrontOrder::Update(
+  vtkVisibilitySort* given, vtkUnstructuredGrid* cells, CellProjectionFrame& frame)
+{
+  vtkVisibilitySort* sort = this->Choose(given);
+  const View view = TakeView(frame);
+  if (sort == this->SeenSort && sort->GetMTime() == this->SeenSortTime &&
+    cells->GetMTime() == this->SeenCells && view == this->SeenView)
+  {
+    return false;
+  }
+  // A matrix of our own: the volume's would hand its later changes to the sort.
+  this->Matrix->DeepCopy(frame.Volume->GetMatrix());
+  sort->SetInput(cells);
+  sort->SetDirectionToBackToFront();
+  sort->SetModelTransform(this->Matrix);
+  sort->SetCamera(frame.Renderer->GetActiveCamera());
+  sort->SetMaxCellsReturned(BatchSize);
+  this->Collect(sort, cells->GetNumberOfCells());
+  this->SeenSort = sort;
+  this->SeenSortTime = sort->GetMTime();
+  this->SeenCells = cells->GetMTime();
+  this->SeenView = view;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void BackToFrontOrder::Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells)
+{
+  std::vector<unsigned char> seen(static_cast<size_t>(numberOfCells), 0);
+  this->Cells.clear();
+  this->Cells.reserve(seen.size());
+  this->NumberOfWrongIds = 0;
+  sort->InitTraversal();
+  for (vtkIdTypeArray* batch = sort->GetNextCells(); batch; batch = sort->GetNextCells())
+  {
+    for (vtkIdType i = 0; i < batch->GetNumberOfTuples(); ++i)
+    {
+      const vtkIdType id = batch->GetValue(i);
+      const bool good = id >= 0 && id < numberOfCells && !seen[id];
+      this->NumberOfWrongIds += good ? 0 : 1;
+      if (good)
+      {
+        seen[id] = 1;
+        this->Cells.push_back(id);
+      }
+    }
+  }
+  for (vtkIdType id = 0; id < numberOfCells; ++id)
+  {
+    if (!seen[id])
+    {
+      ++this->NumberOfWrongIds;
+      this->Cells.push_back(id);
+    }
+  }
+}

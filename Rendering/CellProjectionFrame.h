@@ -1,0 +1,35 @@
+#ifndef CellProjectionFrame_h
+#define CellProjectionFrame_h
+
+#include "FrameStatistics.h"
+#include "ViewRays.h"
+
+#include <glm/vec4.hpp>
+
+#include <vector>
+
+class vtkOpenGLRenderWindow;
+class vtkRenderer;
+class vtkTextureObject;
+class vtkVolume;
+
+/**
+ * @class CellProjectionFrame
+ * @brief What the stages of one frame hand on to each other.
+ */
+struct CellProjectionFrame
+{
+  vtkRenderer* Renderer = nullptr;
+  vtkVolume* Volume = nullptr;
+  vtkOpenGLRenderWindow* Window = nullptr;
+  /// The viewport in pixels of the window's framebuffer.
+  int Origin[2] = { 0, 0 };
+  int Size[2] = { 0, 0 };
+  ViewRays Rays;
+  /// View coordinates: normal and offset, the positive side stays.
+  std::vector<glm::vec4> ClippingPlanes;
+  vtkTextureObject* OpaqueDepth = nullptr;
+  FrameStatistics Statistics;
+};
+
+#endif

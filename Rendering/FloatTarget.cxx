@@ -1,0 +1,103 @@
+#include "FloatTarget.h"
+
+#include "VTKVersions.h"
+#include "cpBlendFragment.h"
+#include "vtkFloatArray.h"
+#include "vtkImageData.h"
+#include "vtkOpenGLQuadHelper.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkPixelBufferObject.h"
+#include "vtkPointData.h"
+#include "vtkShaderProgram.h"
+
+FloatTarget::FloatTarget() = default;
+FloatTarget::~FloatTarget() = default;
+
+//------------------------------------------------------------------------------
+bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Color->SetContext(window);
+  if (static_cast<int>(this->Color->GetWidth()) != width ||
+    static_cast<int>(this->Color->GetHeight()) != height)
+  {
+    this->Color->SetMinificationFilter(vtkTextureObject::Nearest);
+    this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);
+    this->Color->Allocate2D(width, height, 4, VTK_FLOAT);
+  }
+  this->Framebuffer->Bind();
+  this->Framebuffer->AddColorAttachment(0, this->Color);
+  this->Framebuffer->ActivateDrawBuffer(0);
+  const char* reason = nullptr;
+  if (!vtkOpenGLFramebufferObject::GetFrameBufferStatus(GL_FRAMEBUFFER, reason))
+  {
+    state->PopFramebufferBindings();
+    return false;
+  }
+  state->vtkglViewport(0, 0, width, height);
+  state->vtkglScissor(0, 0, width, height);
+  state->vtkglClearColor(0.0f, 0.0f, 0.0f, 0.0f);
+  state->vtkglClear(GL_COLOR_BUFFER_BIT);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void FloatTarget::End(vtkOpenGLRenderWindow* window)
+{
+  window->GetState()->PopFramebufferBindings();
+}
+
+//------------------------------------------------------------------------------
+void FloatTarget::Capture(vtkImageData* image)
+{
+  const unsigned int size[2] = { this->Color->GetWidth(), this->Color->GetHeight() };
+  vtkNew<vtkFloatArray> values;
+  values->SetName("RGBA");
+  values->SetNumberOfComponents(4);
+  values->SetNumberOfTuples(static_cast<vtkIdType>(size[0]) * size[1]);
+  vtkSmartPointer<vtkPixelBufferObject> buffer =
+    vtkSmartPointer<vtkPixelBufferObject>::Take(this->Color->Download());
+  unsigned int dimensions[2] = { size[0], size[1] };
+  vtkIdType increments[2] = { 0, 0 };
+  buffer->Download2D(VTK_FLOAT, values->GetPointer(0), dimensions, 4, increments);
+  image->Initialize();
+  image->SetDimensions(static_cast<int>(size[0]), static_cast<int>(size[1]), 1);
+  image->GetPointData()->SetScalars(values);
+}
+
+//------------------------------------------------------------------------------
+void FloatTarget::Blend(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+{
+  vtkOpenGLState* state = window->GetState();
+  state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
+  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
+  if (!this->Quad)
+  {
+    this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, cpBlendFragment, nullptr);
+  }
+  else
+  {
+    window->GetShaderCache()->ReadyShaderProgram(this->Quad->Program);
+  }
+  vtkShaderProgram* program = this->Quad->Program;
+  if (!program || !program->GetCompiled())
+  {
+    return;
+  }
+  this->Color->Activate();
+  program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
+  this->Quad->Render();
+  this->Color->Deactivate();
+}
+
+//------------------------------------------------------------------------------
+void FloatTarget::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Quad.reset();
+  this->Color->ReleaseGraphicsResources(window);
+  this->Framebuffer->ReleaseGraphicsResources(window);
+}

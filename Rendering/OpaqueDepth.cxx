@@ -1,0 +1,133 @@
+#include "OpaqueDepth.h"
+
+#include "VTKVersions.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+
+namespace
+{
+int AttachmentParameter(GLenum parameter)
+{
+  int value = 0;
+  glGetFramebufferAttachmentParameteriv(
+    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, parameter, &value);
+  return value;
+}
+
+// The sized format of the multisampled depth attachment: a blit resolves between equal formats only.
+int DepthFormat()
+{
+  int format = 0;
+  const int name = AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+  switch (AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE))
+  {
+    case GL_TEXTURE:
+      glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(name));
+      glGetTexLevelParameteriv(GL_TEXTURE_2D_MULTISAMPLE, 0, GL_TEXTURE_INTERNAL_FORMAT, &format);
+      glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, 0);
+      break;
+    case GL_RENDERBUFFER:
+      glBindRenderbuffer(GL_RENDERBUFFER, static_cast<GLuint>(name));
+      glGetRenderbufferParameteriv(GL_RENDERBUFFER, GL_RENDERBUFFER_INTERNAL_FORMAT, &format);
+      glBindRenderbuffer(GL_RENDERBUFFER, 0);
+      break;
+    default:
+      break;
+  }
+  return format;
+}
+
+// A framebuffer of one sample per pixel that lives for one resolve.
+class ResolveTarget
+{
+public:
+  ResolveTarget(vtkOpenGLState* state, GLenum format, const int size[2])
+  {
+    glGenFramebuffers(1, &this->Framebuffer);
+    glGenRenderbuffers(1, &this->Renderbuffer);
+    glBindRenderbuffer(GL_RENDERBUFFER, this->Renderbuffer);
+    glRenderbufferStorage(GL_RENDERBUFFER, format, size[0], size[1]);
+    glBindRenderbuffer(GL_RENDERBUFFER, 0);
+    state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
+    glFramebufferRenderbuffer(
+      GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Renderbuffer);
+    glDrawBuffer(GL_NONE);
+  }
+  ~ResolveTarget()
+  {
+    glDeleteFramebuffers(1, &this->Framebuffer);
+    glDeleteRenderbuffers(1, &this->Renderbuffer);
+  }
+  ResolveTarget(const ResolveTarget&) = delete;
+  void operator=(const ResolveTarget&) = delete;
+
+  GLuint Framebuffer = 0;
+
+private:
+  GLuint Renderbuffer = 0;
+};
+}
+
+//------------------------------------------------------------------------------
+bool OpaqueDepth::Grab(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+{
+  this->Allocate(window, size);
+  vtkOpenGLState* state = window->GetState();
+  int framebuffer = 0, samples = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  glGetIntegerv(GL_SAMPLES, &samples);
+  if (framebuffer != 0 && AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+  {
+    return false;
+  }
+  if (framebuffer != 0 && samples > 0)
+  {
+    return this->Resolve(window, origin, size);
+  }
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
+  this->Depth->CopyFromFrameBuffer(origin[0], origin[1], 0, 0, size[0], size[1]);
+  state->PopFramebufferBindings();
+  return glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+{
+  const int format = DepthFormat();
+  if (format == 0)
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  int framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  state->PushFramebufferBindings();
+  {
+    ResolveTarget target(state, static_cast<GLenum>(format), size);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
+    glBlitFramebuffer(origin[0], origin[1], origin[0] + size[0], origin[1] + size[1], 0, 0, size[0],
+      size[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
+    this->Depth->CopyFromFrameBuffer(0, 0, 0, 0, size[0], size[1]);
+    state->PopFramebufferBindings();
+  }
+  return glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+void OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const int size[2])
+{
+  this->Depth->SetContext(window);
+  if (static_cast<int>(this->Depth->GetWidth()) != size[0] ||
+    static_cast<int>(this->Depth->GetHeight()) != size[1])
+  {
+    this->Depth->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OpaqueDepth::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Depth->ReleaseGraphicsResources(window);
+}

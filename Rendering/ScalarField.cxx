@@ -1,0 +1,68 @@
+#include "ScalarField.h"
+
+#include "vtkDataArray.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace
+{
+double ValueAt(vtkDataArray* array, vtkIdType id, int component)
+{
+  if (component >= 0)
+  {
+    return array->GetComponent(id, component);
+  }
+  double squares = 0.0;
+  for (int i = 0; i < array->GetNumberOfComponents(); ++i)
+  {
+    const double value = array->GetComponent(id, i);
+    squares += value * value;
+  }
+  return std::sqrt(squares);
+}
+}
+
+//------------------------------------------------------------------------------
+void ScalarField::FindRange(vtkDataArray* array, int component)
+{
+  double low = std::numeric_limits<double>::max();
+  double high = std::numeric_limits<double>::lowest();
+  this->NumberOfNonFiniteValues = 0;
+  for (vtkIdType id = 0; id < array->GetNumberOfTuples(); ++id)
+  {
+    const double value = ValueAt(array, id, component);
+    if (std::isfinite(value))
+    {
+      low = std::min(low, value);
+      high = std::max(high, value);
+    }
+    else
+    {
+      ++this->NumberOfNonFiniteValues;
+    }
+  }
+  this->Range[0] = low <= high ? low : 0.0;
+  this->Range[1] = low <= high ? high : 0.0;
+}
+
+//------------------------------------------------------------------------------
+void ScalarField::Build(vtkDataArray* array, int component, bool onePerCell)
+{
+  this->OnePerCell = onePerCell;
+  this->FindRange(array, component);
+  const double low = this->Range[0];
+  const double width = this->Range[1] - low;
+  this->Values.resize(static_cast<size_t>(array->GetNumberOfTuples()));
+  vtkSMPTools::For(0, array->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType id = begin; id < end; ++id)
+    {
+      const double value = ValueAt(array, id, component);
+      const double normalised = width > 0.0 ? (value - low) / width : 0.0;
+      this->Values[id] = std::isfinite(value) ? static_cast<float>(normalised)
+                                              : std::numeric_limits<float>::quiet_NaN();
+    }
+  });
+}

@@ -1,0 +1,163 @@
+#include "TetrahedraRaster.h"
+
+#include "RayUniforms.h"
+#include "TransferFunction.h"
+#include "VTKVersions.h"
+#include "ViewRays.h"
+#include "cpFootprint.h"
+#include "cpIntegral.h"
+#include "cpNearClip.h"
+#include "cpRay.h"
+#include "cpSegment.h"
+#include "cpTetrahedraFragment.h"
+#include "cpTetrahedraGeometry.h"
+#include "cpTetrahedraVertex.h"
+#include "cpTransferFunction.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkOpenGLState.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace
+{
+std::string GeometrySource()
+{
+  std::string source = cpTetrahedraGeometry;
+  vtkShaderProgram::Substitute(source, "//VTK::Footprint::Dec", cpFootprint);
+  vtkShaderProgram::Substitute(source, "//VTK::NearClip::Dec", cpNearClip);
+  return source;
+}
+
+std::string FragmentSource()
+{
+  std::string source = cpTetrahedraFragment;
+  vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
+  vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
+  vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpIntegral);
+  vtkShaderProgram::Substitute(source, "//VTK::Segment::Dec", cpSegment);
+  return source;
+}
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::Check(const TextureBuffer& buffer, bool uploaded)
+{
+  if (!uploaded)
+  {
+    this->Failure = buffer.GetFailure();
+  }
+  return uploaded;
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadPoints(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& points)
+{
+  return this->Check(this->Points, this->Points.Upload(window, points, 4));
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadCorners(
+  vtkOpenGLRenderWindow* window, const std::vector<int>& corners)
+{
+  return this->Check(this->Corners, this->Corners.Upload(window, corners, 4));
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadScalars(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& scalars, bool onePerCell)
+{
+  this->CellScalars = onePerCell;
+  return this->Check(this->Scalars, this->Scalars.Upload(window, scalars, 1));
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadTransferFunction(
+  vtkOpenGLRenderWindow* window, const TransferFunction& function)
+{
+  this->NumberOfNodes = function.GetNumberOfNodes();
+  return this->Check(this->NodePositions,
+           this->NodePositions.Upload(window, function.GetPositions(), 1)) &&
+    this->Check(this->NodeValues, this->NodeValues.Upload(window, function.GetValues(), 4));
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadOrder(const std::vector<unsigned int>& order)
+{
+  this->NumberOfDrawnCells = static_cast<int>(order.size());
+  return order.empty() || this->Order->Upload(order, vtkOpenGLBufferObject::ElementArrayBuffer);
+}
+
+//------------------------------------------------------------------------------
+vtkShaderProgram* TetrahedraRaster::ReadyProgram(vtkOpenGLRenderWindow* window)
+{
+  // VTK's cache finds the compiled program by its source again: nothing to keep here.
+  static const std::string geometry = GeometrySource();
+  static const std::string fragment = FragmentSource();
+  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
+    cpTetrahedraVertex, fragment.c_str(), geometry.c_str());
+  return program && program->GetCompiled() ? program : nullptr;
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
+{
+  RayUniforms::Set(program, *view.Rays, *view.ClippingPlanes);
+  const float size[2] = { static_cast<float>(view.Width), static_cast<float>(view.Height) };
+  program->SetUniform2f("viewportSize", size);
+  glm::mat4 meshToClip = view.Rays->MeshToClip;
+  program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
+  program->SetUniformi("cellScalars", this->CellScalars ? 1 : 0);
+  program->SetUniformi("numberOfNodes", this->NumberOfNodes);
+  program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
+{
+  if (this->NumberOfDrawnCells == 0)
+  {
+    return true;
+  }
+  vtkShaderProgram* program = this->ReadyProgram(window);
+  if (!program)
+  {
+    this->Failure = "the projection's shaders did not compile";
+    return false;
+  }
+  view.OpaqueDepth->Activate();
+  this->Points.Activate(program, "points");
+  this->Corners.Activate(program, "cornerIds");
+  this->Scalars.Activate(program, "scalars");
+  this->NodePositions.Activate(program, "nodePositions");
+  this->NodeValues.Activate(program, "nodeValues");
+  this->SetUniforms(program, view);
+
+  this->VertexArray->Bind();
+  this->Order->Bind();
+  glDrawElements(GL_POINTS, this->NumberOfDrawnCells, GL_UNSIGNED_INT, nullptr);
+  this->Order->Release();
+  this->VertexArray->Release();
+
+  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
+         &this->Corners, &this->Points })
+  {
+    buffer->Deactivate();
+  }
+  view.OpaqueDepth->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
+{
+  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
+         &this->Corners, &this->Points })
+  {
+    buffer->ReleaseGraphicsResources(window);
+  }
+  this->Order->ReleaseGraphicsResources();
+  this->VertexArray->ReleaseGraphicsResources();
+}

@@ -1,0 +1,74 @@
+#ifndef TetrahedraRaster_h
+#define TetrahedraRaster_h
+
+#include "TextureBuffer.h"
+#include "vtkNew.h"
+#include "vtkOpenGLBufferObject.h"
+#include "vtkOpenGLVertexArrayObject.h"
+
+#include <glm/vec4.hpp>
+
+#include <string>
+#include <vector>
+
+class TransferFunction;
+class ViewRays;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+/**
+ * @class TetrahedraRaster
+ * @brief Raster engine for tetrahedra: emission and absorption, drawn from back to front.
+ *
+ * One GL point per cell; the geometry shader sets up the cell's four planes once and covers its
+ * projection with two triangles, each fragment computes entry, exit and the integral between them.
+ * Points, corners, scalars and transfer function stay on the GPU; a new eye uploads an order alone.
+ *
+ * Array shapes: points 4 floats each (xyz in mesh coordinates, one unused), corners 4 ids per cell in
+ * ascending order, scalars one per point or per cell in [0,1], order one index per drawn cell.
+ */
+class TetrahedraRaster
+{
+public:
+  bool UploadPoints(vtkOpenGLRenderWindow* window, const std::vector<float>& points);
+  bool UploadCorners(vtkOpenGLRenderWindow* window, const std::vector<int>& corners);
+  bool UploadScalars(
+    vtkOpenGLRenderWindow* window, const std::vector<float>& scalars, bool onePerCell);
+  bool UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunction& function);
+  bool UploadOrder(const std::vector<unsigned int>& order);
+
+  struct View
+  {
+    const ViewRays* Rays = nullptr;
+    const std::vector<glm::vec4>* ClippingPlanes = nullptr;
+    vtkTextureObject* OpaqueDepth = nullptr;
+    int Width = 0;
+    int Height = 0;
+  };
+
+  /// Draws into the bound framebuffer. False, with the reason in GetFailure, where it cannot.
+  bool Draw(vtkOpenGLRenderWindow* window, const View& view);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+  const std::string& GetFailure() const { return this->Failure; }
+
+private:
+  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window);
+  void SetUniforms(vtkShaderProgram* program, const View& view);
+  bool Check(const TextureBuffer& buffer, bool uploaded);
+
+  TextureBuffer Points;
+  TextureBuffer Corners;
+  TextureBuffer Scalars;
+  TextureBuffer NodePositions;
+  TextureBuffer NodeValues;
+  vtkNew<vtkOpenGLBufferObject> Order;
+  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  int NumberOfNodes = 0;
+  int NumberOfDrawnCells = 0;
+  bool CellScalars = false;
+  std::string Failure;
+};
+
+#endif

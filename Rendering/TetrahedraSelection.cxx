@@ -1,0 +1,67 @@
+#include "TetrahedraSelection.h"
+
+#include "ScalarField.h"
+#include "TransferFunction.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+void TetrahedraSelection::TakeCorners(vtkUnstructuredGrid* tetrahedra)
+{
+  const vtkIdType cells = tetrahedra->GetNumberOfCells();
+  this->Corners.resize(4 * static_cast<size_t>(cells));
+  vtkSMPTools::For(0, cells, [&](vtkIdType begin, vtkIdType end) {
+    vtkNew<vtkIdList> ids;
+    for (vtkIdType cell = begin; cell < end; ++cell)
+    {
+      tetrahedra->GetCellPoints(cell, ids);
+      int* corners = &this->Corners[4 * cell];
+      std::transform(ids->begin(), ids->begin() + 4, corners,
+        [](vtkIdType id) { return static_cast<int>(id); });
+      std::sort(corners, corners + 4);
+    }
+  });
+}
+
+//------------------------------------------------------------------------------
+TetrahedraSelection::Class TetrahedraSelection::ClassOf(
+  vtkIdType cell, const ScalarField& scalars, const TransferFunction& function) const
+{
+  const int* corners = &this->Corners[4 * cell];
+  float low = scalars.Values[scalars.OnePerCell ? cell : corners[0]];
+  float high = low;
+  bool finite = std::isfinite(low);
+  for (int i = 1; i < 4 && !scalars.OnePerCell; ++i)
+  {
+    const float value = scalars.Values[corners[i]];
+    finite = finite && std::isfinite(value);
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  if (!finite)
+  {
+    return Invalid;
+  }
+  return function.IsTransparent(low, high) ? Transparent : Drawn;
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraSelection::Classify(const ScalarField& scalars, const TransferFunction& function)
+{
+  const vtkIdType cells = this->GetNumberOfCells();
+  this->Classes.resize(static_cast<size_t>(cells));
+  vtkSMPTools::For(0, cells, [&](vtkIdType begin, vtkIdType end) {
+    for (vtkIdType cell = begin; cell < end; ++cell)
+    {
+      this->Classes[cell] = this->ClassOf(cell, scalars, function);
+    }
+  });
+  this->NumberOfTransparentCells =
+    std::count(this->Classes.begin(), this->Classes.end(), Transparent);
+  this->NumberOfInvalidCells = std::count(this->Classes.begin(), this->Classes.end(), Invalid);
+}

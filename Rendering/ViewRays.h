@@ -1,0 +1,62 @@
+#ifndef ViewRays_h
+#define ViewRays_h
+
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
+
+/**
+ * @class ViewRays
+ * @brief The ray through every pixel, in mesh coordinates.
+ *
+ * Mesh coordinates are data coordinates about the mesh's centre, divided by its size: huge (UTM) and
+ * tiny coordinates keep their digits in a float, and products of three lengths stay in its range.
+ *
+ * A ray is parametrised by its depth along the view axis, measured from Reference: the plane at right
+ * angles to the view axis through the mesh's centre. Pixel coordinates are those of gl_FragCoord
+ * within the viewport. All members are evaluated in double and rounded once, so that every
+ * cell sees the same ray, and distances inside the mesh do not lose digits to a distant eye.
+ *
+ *     point(pixel)     = Point + (pixel - Pixel).x PointX + (pixel - Pixel).y PointY
+ *     direction(pixel) = Direction + (pixel - Pixel).x DirectionX + (pixel - Pixel).y DirectionY
+ *     view(pixel)      likewise: x and y of the same point and direction in view coordinates
+ *
+ * World length of a piece: its depth times the length of (view direction, -1); a rigid view
+ * transformation is assumed, the actor's matrix may be any invertible one.
+ */
+class ViewRays
+{
+public:
+  struct Transforms
+  {
+    glm::dmat4 DataToWorld{ 1.0 };
+    glm::dmat4 WorldToView{ 1.0 };
+    glm::dmat4 ViewToClip{ 1.0 };
+    /// Data = Center + Scale * mesh coordinates.
+    glm::dvec3 Center{ 0.0 };
+    double Scale = 1.0;
+    int Width = 1;
+    int Height = 1;
+  };
+
+  /// False where a matrix cannot be inverted: nothing can be seen then.
+  bool Build(const Transforms& transforms);
+
+  glm::vec2 Pixel{ 0.0f };
+  glm::vec3 Point{ 0.0f }, PointX{ 0.0f }, PointY{ 0.0f };
+  glm::vec3 Direction{ 0.0f }, DirectionX{ 0.0f }, DirectionY{ 0.0f };
+  /// xy: point, zw: direction.
+  glm::vec4 View{ 0.0f }, ViewX{ 0.0f }, ViewY{ 0.0f };
+  /// Depth of the reference plane, of the near and of the far plane from the eye.
+  double Reference = 0.0, Near = 0.0, Far = 0.0;
+  /// Window depth z to depth from the reference: (x + y z) / (z + w z).
+  glm::vec4 DepthFromWindow{ 0.0f };
+  glm::mat4 MeshToClip{ 1.0f };
+
+private:
+  void SetDepths(const Transforms& transforms, const glm::dmat4& clipToView);
+  void SetRays(const Transforms& transforms, const glm::dmat4& clipToView);
+};
+
+#endif

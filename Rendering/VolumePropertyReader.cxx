@@ -1,0 +1,182 @@
+#include "VolumePropertyReader.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkScalarsToColors.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Nodes, and the midpoints where a sharp function jumps, of either kind of function. A node's
+// midpoint is the last but one of its values, its sharpness the last.
+template <class Function>
+void AppendNodes(Function* function, int valuesPerNode, std::vector<double>& candidates)
+{
+  double node[6];
+  double previous = 0.0;
+  double midpoint = 0.5;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, node);
+    candidates.push_back(node[0]);
+    if (i > 0)
+    {
+      candidates.push_back(previous + midpoint * (node[0] - previous));
+    }
+    previous = node[0];
+    midpoint = node[valuesPerNode - 2];
+  }
+}
+
+// Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for nothing.
+bool HasEffectiveGradientOpacity(vtkVolumeProperty* property)
+{
+  if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity())
+  {
+    return false;
+  }
+  vtkPiecewiseFunction* function = property->GetGradientOpacity();
+  double node[4];
+  bool effective = false;
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, node);
+    effective = effective || node[1] != 1.0;
+  }
+  return effective;
+}
+}
+
+//------------------------------------------------------------------------------
+VolumePropertyReader::VolumePropertyReader(vtkVolumeProperty* property)
+  : Property(property)
+{
+}
+
+//------------------------------------------------------------------------------
+void VolumePropertyReader::CheckFunctions(std::vector<std::string>& problems)
+{
+  this->HasOpacity = this->Property->GetScalarOpacity()->GetSize() > 0;
+  if (!this->HasOpacity)
+  {
+    problems.emplace_back("The property's scalar opacity function has no points: drawn with opacity "
+                          "1; add points to it.");
+  }
+  const bool gray = this->Property->GetColorChannels() == 1;
+  this->HasColor = gray ? this->Property->GetGrayTransferFunction()->GetSize() > 0
+                        : this->Property->GetRGBTransferFunction()->GetSize() > 0;
+  if (!this->HasColor)
+  {
+    problems.emplace_back(std::string("The property's ") + (gray ? "gray" : "colour") +
+      " function has no points: drawn in white; add points to it.");
+  }
+}
+
+//------------------------------------------------------------------------------
+double VolumePropertyReader::CheckUnitDistance(std::vector<std::string>& problems) const
+{
+  const double distance = this->Property->GetScalarOpacityUnitDistance();
+  if (distance > 0.0 && std::isfinite(distance))
+  {
+    return distance;
+  }
+  problems.push_back("The property's ScalarOpacityUnitDistance is " + std::to_string(distance) +
+    ": drawn with 1; it must be positive.");
+  return 1.0;
+}
+
+//------------------------------------------------------------------------------
+void VolumePropertyReader::Read(
+  const double range[2], TransferFunction& function, std::vector<std::string>& problems)
+{
+  this->CheckFunctions(problems);
+  const double distance = this->CheckUnitDistance(problems);
+  function.Build(
+    this->FindCandidates(), [this](double scalar) { return this->Evaluate(scalar); }, range,
+    distance);
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> VolumePropertyReader::FindCandidates() const
+{
+  std::vector<double> candidates;
+  AppendNodes(this->Property->GetScalarOpacity(), 4, candidates);
+  if (this->Property->GetColorChannels() == 1)
+  {
+    AppendNodes(this->Property->GetGrayTransferFunction(), 4, candidates);
+  }
+  else
+  {
+    AppendNodes(this->Property->GetRGBTransferFunction(), 6, candidates);
+  }
+  return candidates;
+}
+
+//------------------------------------------------------------------------------
+TransferFunction::Sample VolumePropertyReader::Evaluate(double scalar) const
+{
+  TransferFunction::Sample sample{ { 1.0, 1.0, 1.0, 1.0 } };
+  if (this->HasColor && this->Property->GetColorChannels() == 1)
+  {
+    const double gray = this->Property->GetGrayTransferFunction()->GetValue(scalar);
+    sample[0] = sample[1] = sample[2] = gray;
+  }
+  else if (this->HasColor)
+  {
+    this->Property->GetRGBTransferFunction()->GetColor(scalar, sample.data());
+  }
+  if (this->HasOpacity)
+  {
+    sample[3] = this->Property->GetScalarOpacity()->GetValue(scalar);
+  }
+  return sample;
+}
+
+//------------------------------------------------------------------------------
+int VolumePropertyReader::ChooseComponent(int numberOfComponents) const
+{
+  if (numberOfComponents <= 1 || this->Property->GetColorChannels() == 1)
+  {
+    return 0;
+  }
+  vtkColorTransferFunction* color = this->Property->GetRGBTransferFunction();
+  if (color->GetVectorMode() == vtkScalarsToColors::MAGNITUDE)
+  {
+    return -1;
+  }
+  return std::min(std::max(color->GetVectorComponent(), 0), numberOfComponents - 1);
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::string> VolumePropertyReader::FindUnsupported(int numberOfComponents) const
+{
+  std::vector<std::string> unsupported;
+  if (this->Property->GetShade())
+  {
+    unsupported.emplace_back("Shade is on: drawn unlit; call ShadeOff().");
+  }
+  if (HasEffectiveGradientOpacity(this->Property))
+  {
+    unsupported.emplace_back("A gradient opacity function is set: it is not applied; call "
+                             "DisableGradientOpacityOn().");
+  }
+  if (this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  {
+    unsupported.emplace_back("Interpolation is nearest, the property's default: point scalars are "
+                             "drawn linear; call SetInterpolationTypeToLinear().");
+  }
+  if (this->Property->GetTransferFunctionMode() == vtkVolumeProperty::TF_2D)
+  {
+    unsupported.emplace_back("A two-dimensional transfer function is set: the one-dimensional "
+                             "functions are drawn; call SetTransferFunctionMode(TF_1D).");
+  }
+  if (numberOfComponents > 1 && !this->Property->GetIndependentComponents())
+  {
+    unsupported.emplace_back("IndependentComponents is off: one component of " +
+      std::to_string(numberOfComponents) + " is drawn; call IndependentComponentsOn().");
+  }
+  return unsupported;
+}

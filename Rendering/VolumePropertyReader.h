@@ -1,0 +1,42 @@
+#ifndef VolumePropertyReader_h
+#define VolumePropertyReader_h
+
+#include "TransferFunction.h"
+
+#include <string>
+#include <vector>
+
+class vtkVolumeProperty;
+
+/**
+ * @class VolumePropertyReader
+ * @brief Takes the transfer function, and whatever is asked for and not drawn, from a property.
+ */
+class VolumePropertyReader
+{
+public:
+  explicit VolumePropertyReader(vtkVolumeProperty* property);
+
+  /// Builds `function` over `range`. Problems with the property (a function without points, a unit
+  /// distance of zero) are appended to `problems`, one sentence each, with what was drawn instead.
+  void Read(const double range[2], TransferFunction& function, std::vector<std::string>& problems);
+
+  /// What the property asks for and composite projection of tetrahedra does not draw.
+  std::vector<std::string> FindUnsupported(int numberOfComponents) const;
+
+  /// Which of an array's components the property wants; -1 is the magnitude.
+  int ChooseComponent(int numberOfComponents) const;
+
+private:
+  std::vector<double> FindCandidates() const;
+  void AppendColorCandidates(std::vector<double>& candidates) const;
+  TransferFunction::Sample Evaluate(double scalar) const;
+  double CheckUnitDistance(std::vector<std::string>& problems) const;
+  void CheckFunctions(std::vector<std::string>& problems);
+
+  vtkVolumeProperty* Property;
+  bool HasColor = true;
+  bool HasOpacity = true;
+};
+
+#endif

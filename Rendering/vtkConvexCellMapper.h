@@ -1,0 +1,184 @@
+#ifndef vtkConvexCellMapper_h
+#define vtkConvexCellMapper_h
+
+#include "vtkCellProjectionModule.h" // for export macro
+#include "vtkUnstructuredGridVolumeMapper.h"
+
+#include <memory> // for std::unique_ptr
+#include <string> // for messages
+
+class MeshCoordinates;
+class ScalarField;
+class TransferFunction;
+class vtkDataArray;
+class vtkImageData;
+class vtkRenderWindow;
+class vtkTable;
+class vtkUnstructuredGrid;
+struct CellProjectionFrame;
+
+/**
+ * @class vtkConvexCellMapper
+ * @brief What every mapper that projects convex cells shares. Abstract.
+ *
+ * The stages of a frame: check the input, cut it into convex cells, take scalars and transfer
+ * function, set up the rays, order the cells, project them into a float image of the viewport's
+ * size, blend that image into the window. Subclasses order and project.
+ *
+ * Honoured: the colour (RGB or gray) and scalar opacity functions, ScalarOpacityUnitDistance, the
+ * scalar mode and array choice (point scalars linear, cell scalars constant in their cell; of several
+ * components the colour function's VectorMode and VectorComponent choose), up to six clipping planes,
+ * the volume's matrix (lengths are those of the world), viewports, perspective and parallel
+ * projection, opaque geometry per pixel, the camera inside the mesh. In a hardware selection pass
+ * nothing is drawn. Several volumes are drawn one after the other: where they overlap, the order of
+ * their cells is not that of the depths.
+ *
+ * What is asked for and not drawn is named by one warning, bad input by one error or warning that
+ * counts the offenders; the rest is drawn. A message comes again when it changes.
+ *
+ * Arrays are taken as they are at Render: call Modified() on one that was written in place.
+ */
+class VTKCELLPROJECTION_EXPORT vtkConvexCellMapper : public vtkUnstructuredGridVolumeMapper
+{
+public:
+  vtkTypeMacro(vtkConvexCellMapper, vtkUnstructuredGridVolumeMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  /// vtkVolumeMapper's numbers, of which VTK's base class for unstructured grids knows two.
+  enum BlendModes
+  {
+    COMPOSITE = 0,
+    MAXIMUM_INTENSITY = 1,
+    MINIMUM_INTENSITY = 2,
+    ADDITIVE = 4,
+    ISOSURFACE = 5
+  };
+
+  ///@{
+  /**
+   * How the samples of a ray become a pixel. A mode that this mapper cannot draw is one error that
+   * names the mapper that can, and changes nothing. Default: the mapper's own.
+   */
+  void SetBlendMode(int mode) override;
+  void SetBlendModeToMinimumIntensity() { this->SetBlendMode(MINIMUM_INTENSITY); }
+  void SetBlendModeToAdditive() { this->SetBlendMode(ADDITIVE); }
+  void SetBlendModeToIsoSurface() { this->SetBlendMode(ISOSURFACE); }
+  ///@}
+
+  enum Engines
+  {
+    AUTOMATIC = 0,
+    RASTER = 1,
+    TILES = 2
+  };
+
+  ///@{
+  /**
+   * What projects: Raster is OpenGL 3.2 core, Tiles plain C++. Automatic takes the faster one that
+   * is there; this version has Raster, and Tiles warns once and draws by Raster. Default: Automatic.
+   */
+  vtkSetClampMacro(Engine, int, AUTOMATIC, TILES);
+  vtkGetMacro(Engine, int);
+  void SetEngineToAutomatic() { this->SetEngine(AUTOMATIC); }
+  void SetEngineToRaster() { this->SetEngine(RASTER); }
+  void SetEngineToTiles() { this->SetEngine(TILES); }
+  ///@}
+
+  ///@{
+  /**
+   * Keep the float image of the next frames, before they are blended into the window. Default: off,
+   * and then it costs nothing.
+   */
+  vtkSetMacro(CaptureImage, bool);
+  vtkGetMacro(CaptureImage, bool);
+  vtkBooleanMacro(CaptureImage, bool);
+  ///@}
+
+  /**
+   * The volume alone as the last frame drew it: the viewport's size, one float array of 4 components,
+   * premultiplied RGBA, first row at the bottom. Null where CaptureImage was off or nothing could be
+   * drawn.
+   */
+  vtkImageData* GetCapturedImage();
+
+  /**
+   * One row about the last frame. Columns: Method, Engine, CellsIn (of the input), CellsDrawn
+   * (projected: tetrahedra where the method cuts cells up), CellsSkippedTransparent,
+   * CellsSkippedInvalid, CellsSkippedOutside, Cycles, MisorderedFaces, RepairedPixels,
+   * SecondsPrepare, SecondsSort, SecondsProject (until the driver is done), SecondsBlend. What a
+   * method does not have is 0.
+   */
+  vtkTable* GetLastStatistics();
+
+  /// True where the window's driver can draw this mapper: OpenGL 3.2 with float targets.
+  static bool IsSupported(vtkRenderWindow* window);
+
+  using vtkUnstructuredGridVolumeMapper::Update;
+  void Update() override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkConvexCellMapper();
+  ~vtkConvexCellMapper() override;
+
+  /// The name in the statistics' column Method.
+  virtual const char* GetMethodName() const = 0;
+  virtual bool CanDrawBlendMode(int mode) const = 0;
+  /// True where convex cells are to be cut into tetrahedra.
+  virtual bool NeedsTetrahedra() const = 0;
+  /// Orders the cells for this view.
+  virtual void SortCells(CellProjectionFrame& frame) = 0;
+  /// Draws the cells into the bound float target. False where nothing can be drawn.
+  virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
+
+  // What the stages before left for SortCells and ProjectCells. The times say when each was built.
+  vtkUnstructuredGrid* GetConvexCells() const;
+  const MeshCoordinates& GetMeshCoordinates() const;
+  const ScalarField& GetScalarField() const;
+  const TransferFunction& GetTransferFunction() const;
+  vtkMTimeType GetCellsTime() const;
+  vtkMTimeType GetScalarsTime() const;
+  vtkMTimeType GetTransferFunctionTime() const;
+
+  ///@{
+  /// One message for each different text.
+  void WarnOnce(const std::string& text);
+  void FailOnce(const std::string& text);
+  ///@}
+
+  int FillInputPortInformation(int port, vtkInformation* info) override;
+
+  int Engine = AUTOMATIC;
+  bool CaptureImage = false;
+
+private:
+  vtkConvexCellMapper(const vtkConvexCellMapper&) = delete;
+  void operator=(const vtkConvexCellMapper&) = delete;
+
+  bool BeginFrame(vtkRenderer* renderer, vtkVolume* volume, CellProjectionFrame& frame);
+  bool PrepareCells(CellProjectionFrame& frame);
+  bool PrepareScalars(CellProjectionFrame& frame);
+  void PrepareTransferFunction(CellProjectionFrame& frame);
+  bool PrepareView(CellProjectionFrame& frame);
+  bool Project(CellProjectionFrame& frame);
+  void Blend(CellProjectionFrame& frame);
+  void EndFrame(CellProjectionFrame& frame);
+
+  bool CheckInput();
+  bool CheckScalars(vtkDataArray* array, bool onePerCell);
+  std::string DescribeScalars();
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,179 @@
+#include "vtkPreIntegratedTetrahedraMapper.h"
+
+#include "BackToFrontOrder.h"
+#include "CellProjectionFrame.h"
+#include "MeshCoordinates.h"
+#include "ScalarField.h"
+#include "TetrahedraRaster.h"
+#include "TetrahedraSelection.h"
+#include "vtkObjectFactory.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkSmartPointer.h"
+#include "vtkTimeStamp.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVisibilitySort.h"
+
+vtkStandardNewMacro(vtkPreIntegratedTetrahedraMapper);
+
+/// What the mapper keeps from frame to frame.
+class vtkPreIntegratedTetrahedraMapper::Internals
+{
+public:
+  vtkSmartPointer<vtkVisibilitySort> Sort;
+  BackToFrontOrder Order;
+  TetrahedraSelection Selection;
+  TetrahedraRaster Raster;
+  vtkTimeStamp CornersTime;
+  vtkTimeStamp SelectionTime;
+  vtkTimeStamp DrawnOrderTime;
+
+  // When the GPU's copies were made; a default stamp is older than everything.
+  vtkTimeStamp PointsUploaded;
+  vtkTimeStamp ScalarsUploaded;
+  vtkTimeStamp FunctionUploaded;
+  vtkTimeStamp OrderUploaded;
+};
+
+//------------------------------------------------------------------------------
+vtkPreIntegratedTetrahedraMapper::vtkPreIntegratedTetrahedraMapper()
+  : Internal(new Internals)
+{
+}
+
+//------------------------------------------------------------------------------
+vtkPreIntegratedTetrahedraMapper::~vtkPreIntegratedTetrahedraMapper() = default;
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::SetVisibilitySort(vtkVisibilitySort* sort)
+{
+  if (this->Internal->Sort != sort)
+  {
+    this->Internal->Sort = sort;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySort* vtkPreIntegratedTetrahedraMapper::GetVisibilitySort()
+{
+  return this->Internal->Sort;
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& frame)
+{
+  FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
+  Internals& internal = *this->Internal;
+  if (internal.CornersTime < this->GetCellsTime())
+  {
+    internal.Selection.TakeCorners(this->GetConvexCells());
+    internal.CornersTime.Modified();
+  }
+  if (internal.SelectionTime < internal.CornersTime ||
+    internal.SelectionTime < this->GetTransferFunctionTime())
+  {
+    internal.Selection.Classify(this->GetScalarField(), this->GetTransferFunction());
+    internal.SelectionTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
+{
+  this->PrepareTetrahedra(frame);
+  FrameStatistics::Timer timer(frame.Statistics.SecondsSort);
+  Internals& internal = *this->Internal;
+  if (internal.Order.Update(internal.Sort, this->GetConvexCells(), frame))
+  {
+    internal.DrawnOrderTime.Modified();
+  }
+  if (internal.Order.NumberOfWrongIds > 0)
+  {
+    this->WarnOnce("The visibility sort repeated, invented or left out " +
+      std::to_string(internal.Order.NumberOfWrongIds) + " cells: the order is not right there.");
+  }
+  const TetrahedraSelection& selection = internal.Selection;
+  frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
+  frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells;
+  frame.Statistics.CellsDrawn = selection.GetNumberOfCells() -
+    selection.NumberOfTransparentCells - selection.NumberOfInvalidCells;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::Upload(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  TetrahedraRaster& raster = internal.Raster;
+  bool good = true;
+  if (internal.PointsUploaded < internal.CornersTime)
+  {
+    good = raster.UploadPoints(frame.Window, this->GetMeshCoordinates().Points) &&
+      raster.UploadCorners(frame.Window, internal.Selection.Corners);
+    internal.PointsUploaded.Modified();
+  }
+  if (good && internal.ScalarsUploaded < this->GetScalarsTime())
+  {
+    const ScalarField& scalars = this->GetScalarField();
+    good = raster.UploadScalars(frame.Window, scalars.Values, scalars.OnePerCell);
+    internal.ScalarsUploaded.Modified();
+  }
+  if (good && internal.FunctionUploaded < this->GetTransferFunctionTime())
+  {
+    good = raster.UploadTransferFunction(frame.Window, this->GetTransferFunction());
+    internal.FunctionUploaded.Modified();
+  }
+  if (good &&
+    (internal.OrderUploaded < internal.DrawnOrderTime ||
+      internal.OrderUploaded < internal.SelectionTime))
+  {
+    std::vector<unsigned int> drawn;
+    drawn.reserve(static_cast<size_t>(frame.Statistics.CellsDrawn));
+    for (const vtkIdType cell : internal.Order.Cells)
+    {
+      if (internal.Selection.IsDrawn(cell))
+      {
+        drawn.push_back(static_cast<unsigned int>(cell));
+      }
+    }
+    good = raster.UploadOrder(drawn);
+    internal.OrderUploaded.Modified();
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
+{
+  TetrahedraRaster::View view;
+  view.Rays = &frame.Rays;
+  view.ClippingPlanes = &frame.ClippingPlanes;
+  view.OpaqueDepth = frame.OpaqueDepth;
+  view.Width = frame.Size[0];
+  view.Height = frame.Size[1];
+  TetrahedraRaster& raster = this->Internal->Raster;
+  if (this->Upload(frame) && raster.Draw(frame.Window, view))
+  {
+    return true;
+  }
+  this->FailOnce("The tetrahedra cannot be drawn: " + raster.GetFailure() + ".");
+  return false;
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)
+{
+  Internals& internal = *this->Internal;
+  internal.Raster.ReleaseGraphicsResources(window);
+  internal.PointsUploaded = vtkTimeStamp();
+  internal.ScalarsUploaded = vtkTimeStamp();
+  internal.FunctionUploaded = vtkTimeStamp();
+  internal.OrderUploaded = vtkTimeStamp();
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
+{
+  this->Superclass::PrintSelf(os, indent);
+  os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
+}

@@ -1,0 +1,68 @@
+#ifndef vtkPreIntegratedTetrahedraMapper_h
+#define vtkPreIntegratedTetrahedraMapper_h
+
+#include "vtkConvexCellMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+class vtkVisibilitySort;
+
+/**
+ * @class vtkPreIntegratedTetrahedraMapper
+ * @brief Absorption and emission by exact projected tetrahedra.
+ *
+ * Every cell is cut into tetrahedra (vtkConvexCells), these are sorted from back to front and each is
+ * projected with the exact integral of emission and absorption: entry and exit from the cell's four
+ * planes, split at the transfer function's points, exact alpha, Gauss quadrature in the colour.
+ * After Roettger and Ertl, "Cell projection of convex polyhedra", 2003, and Roettger, Guthe, Schieber
+ * and Ertl, "Convexification of unstructured grids", 2004, section 8.
+ *
+ * Where the order is right the image is within 1e-3 of a float64 ray caster (the tests' bound).
+ * The order is that of the visibility sort: VTK's sort by cell centres, the default, is exact for
+ * no mesh in general.
+ *
+ * @sa vtkConvexCellMapper for what is honoured and reported.
+ */
+class VTKCELLPROJECTION_EXPORT vtkPreIntegratedTetrahedraMapper : public vtkConvexCellMapper
+{
+public:
+  static vtkPreIntegratedTetrahedraMapper* New();
+  vtkTypeMacro(vtkPreIntegratedTetrahedraMapper, vtkConvexCellMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * What orders the tetrahedra. Its input is the output of a vtkConvexCells with TetrahedraOnly on.
+   * Null chooses: vtkCellCenterDepthSort. Default: null.
+   */
+  virtual void SetVisibilitySort(vtkVisibilitySort* sort);
+  vtkVisibilitySort* GetVisibilitySort();
+  ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void ReleaseGraphicsResources(vtkWindow* window) override;
+
+protected:
+  vtkPreIntegratedTetrahedraMapper();
+  ~vtkPreIntegratedTetrahedraMapper() override;
+
+  const char* GetMethodName() const override { return "PreIntegratedTetrahedra"; }
+  bool CanDrawBlendMode(int mode) const override { return mode == COMPOSITE; }
+  bool NeedsTetrahedra() const override { return true; }
+  void SortCells(CellProjectionFrame& frame) override;
+  bool ProjectCells(CellProjectionFrame& frame) override;
+
+private:
+  vtkPreIntegratedTetrahedraMapper(const vtkPreIntegratedTetrahedraMapper&) = delete;
+  void operator=(const vtkPreIntegratedTetrahedraMapper&) = delete;
+
+  void PrepareTetrahedra(CellProjectionFrame& frame);
+  bool Upload(CellProjectionFrame& frame);
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
