@@ -1,0 +1,46 @@
+#ifndef BenchmarkScene_h
+#define BenchmarkScene_h
+
+#include "vtkNew.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkSmartPointer.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <string>
+#include <vector>
+
+class vtkImageData;
+class vtkUnstructuredGrid;
+class vtkUnstructuredGridVolumeMapper;
+
+/// A mesh of tetrahedra with a scalar, and where it came from.
+struct BenchmarkMesh
+{
+  std::string Name;
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+};
+
+/// NASA's Blunt Fin (density) where `folder` has it, else a generated curvilinear mesh.
+BenchmarkMesh LoadBenchmarkMesh(const std::string& folder);
+
+/// A window that shows one volume through one mapper on black; a new eye for every frame.
+class BenchmarkScene
+{
+public:
+  BenchmarkScene(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size);
+
+  /// Renders until the driver is done and returns the seconds. The eye moves with `frame`.
+  double TimeFrame(int frame);
+  /// The window's colours (8 bits) as RGBA over black, alpha 0.
+  vtkSmartPointer<vtkImageData> ReadWindow();
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+};
+
+double Median(std::vector<double> values);
+
+#endif

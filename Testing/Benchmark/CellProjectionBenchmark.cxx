@@ -1,0 +1,127 @@
+// Our mapper and VTK's projected tetrahedra on the same mesh, views and transfer function, frames
+// interleaved, each one's error against the float64 oracle in the same row.
+//   CellProjectionBenchmark [folder of the data] [frames]
+
+#include "BenchmarkScene.h"
+
+#include "vtkCellProjectionOracle.h"
+#include "vtkImageData.h"
+#include "vtkPreIntegratedTetrahedraMapper.h"
+#include "vtkProjectedTetrahedraMapper.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVariant.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+
+namespace
+{
+constexpr int ImageSize = 512;
+// The oracle visits every cell for every pixel: a smaller picture of the same view will do.
+constexpr int ErrorSize = 96;
+
+struct Row
+{
+  std::string Name;
+  double First = 0.0;
+  double Prepare = 0.0;
+  std::vector<double> Seconds;
+  double RootMeanSquare = 0.0;
+  double Percentile = 0.0;
+  double Maximum = 0.0;
+  double Share = 0.0;
+};
+
+using MapperPointer = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
+using Capture = std::function<vtkSmartPointer<vtkImageData>(BenchmarkScene&, vtkImageData* oracle)>;
+
+// VTK's window shows colours alone: the oracle's own alpha keeps alpha out of the comparison.
+vtkSmartPointer<vtkImageData> CaptureWindow(BenchmarkScene& scene, vtkImageData* oracle)
+{
+  auto image = scene.ReadWindow();
+  for (int y = 0; y < ErrorSize; ++y)
+  {
+    for (int x = 0; x < ErrorSize; ++x)
+    {
+      image->SetScalarComponentFromDouble(
+        x, y, 0, 3, oracle->GetScalarComponentAsDouble(x, y, 0, 3));
+    }
+  }
+  return image;
+}
+
+void MeasureError(const MapperPointer& mapper, vtkUnstructuredGrid* grid,
+  vtkCellProjectionOracle* oracle, const Capture& capture, Row& row)
+{
+  BenchmarkScene scene(mapper, grid, ErrorSize);
+  scene.TimeFrame(0);
+  if (!oracle->GetImage())
+  {
+    oracle->SetInputData(grid);
+    oracle->SetVolume(scene.Volume);
+    oracle->SetCamera(scene.Renderer->GetActiveCamera());
+    oracle->SetSize(ErrorSize, ErrorSize);
+    oracle->Update();
+  }
+  oracle->Compare(capture(scene, oracle->GetImage()));
+  row.RootMeanSquare = oracle->GetRootMeanSquareError();
+  row.Percentile = oracle->GetPercentileError();
+  row.Maximum = oracle->GetMaximumError();
+  row.Share = oracle->GetShareAboveHalfLevel();
+}
+
+void Print(const Row& row, double peer, vtkIdType cells)
+{
+  const double median = Median(row.Seconds);
+  std::printf("%-28s %9.1f %9.1f %9.1f %8.2f %7.2f %9.2e %9.2e %9.2e %7.1f\n", row.Name.c_str(),
+    1e3 * median, 1e3 * row.First, 1e3 * row.Prepare, 1e-6 * cells / median, peer / median,
+    row.RootMeanSquare, row.Percentile, row.Maximum, 100.0 * row.Share);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const BenchmarkMesh mesh = LoadBenchmarkMesh(argc > 1 ? argv[1] : "");
+  const int frames = argc > 2 ? std::atoi(argv[2]) : 9;
+  const vtkIdType cells = mesh.Grid->GetNumberOfCells();
+  std::printf("%s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at %d x %d\n",
+    mesh.Name.c_str(), static_cast<long long>(cells), ImageSize, ImageSize, frames, ErrorSize,
+    ErrorSize);
+
+  vtkNew<vtkPreIntegratedTetrahedraMapper> ours;
+  auto theirs = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
+  Row rows[2] = { { "ours, Raster, centre sort" }, { "VTK projected tetrahedra" } };
+  {
+    BenchmarkScene ourScene(ours, mesh.Grid, ImageSize);
+    BenchmarkScene theirScene(theirs, mesh.Grid, ImageSize);
+    rows[0].First = ourScene.TimeFrame(0);
+    rows[0].Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
+    rows[1].First = theirScene.TimeFrame(0);
+    for (int frame = 1; frame <= frames; ++frame)
+    {
+      rows[0].Seconds.push_back(ourScene.TimeFrame(frame));
+      rows[1].Seconds.push_back(theirScene.TimeFrame(frame));
+    }
+    ours->GetLastStatistics()->Dump(24, 1);
+  }
+  vtkNew<vtkCellProjectionOracle> oracle;
+  vtkNew<vtkPreIntegratedTetrahedraMapper> captured;
+  captured->CaptureImageOn();
+  MeasureError(captured.GetPointer(), mesh.Grid, oracle,
+    [&](BenchmarkScene&, vtkImageData*) {
+      return vtkSmartPointer<vtkImageData>(captured->GetCapturedImage());
+    },
+    rows[0]);
+  MeasureError(vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(), mesh.Grid, oracle,
+    CaptureWindow, rows[1]);
+
+  std::printf("%-28s %9s %9s %9s %8s %7s %9s %9s %9s %7s\n", "mapper", "median ms", "first ms",
+    "prepare", "Mtets/s", "ratio", "RMSE", "99.9 %", "maximum", "% > .5");
+  for (const Row& row : rows)
+  {
+    Print(row, Median(rows[1].Seconds), cells);
+  }
+  return EXIT_SUCCESS;
+}

@@ -1,0 +1,200 @@
+#include "TestScene.h"
+
+#include "FaceOrderSort.h"
+#include "vtkFloatArray.h"
+#include "vtkPointData.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+void TestChecks::Check(bool good, const char* text, int line, const std::string& found)
+{
+  if (!good)
+  {
+    ++this->Failures;
+    std::cerr << "line " << line << ": failed: " << text << (found.empty() ? "" : "; found ")
+              << found << "\n";
+  }
+}
+
+//------------------------------------------------------------------------------
+void MessageObserver::Execute(vtkObject*, unsigned long, void* data)
+{
+  this->Texts.emplace_back(data ? static_cast<const char*>(data) : "");
+}
+
+//------------------------------------------------------------------------------
+void MessageObserver::Watch(vtkObject* object)
+{
+  object->AddObserver(vtkCommand::ErrorEvent, this);
+  object->AddObserver(vtkCommand::WarningEvent, this);
+}
+
+//------------------------------------------------------------------------------
+int MessageObserver::CountOf(const std::string& text) const
+{
+  return static_cast<int>(std::count_if(this->Texts.begin(), this->Texts.end(),
+    [&](const std::string& line) { return line.find(text) != std::string::npos; }));
+}
+
+//------------------------------------------------------------------------------
+TestScene::TestScene(int width, int height)
+{
+  this->Window->SetOffScreenRendering(1);
+  this->Window->SetMultiSamples(0);
+  this->Window->SetSize(width, height);
+  this->Window->AddRenderer(this->Renderer);
+  this->Renderer->AddVolume(this->Volume);
+  this->Volume->SetMapper(this->Mapper);
+  this->Volume->SetProperty(this->Property);
+  this->Property->SetColor(this->Color);
+  this->Property->SetScalarOpacity(this->Opacity);
+  this->Property->SetInterpolationTypeToLinear();
+  this->SetSmooth();
+  this->Mapper->CaptureImageOn();
+  vtkNew<FaceOrderSort> sort;
+  this->Mapper->SetVisibilitySort(sort);
+  this->LookFrom(0.5, 0.8, 2.2);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::LookFrom(double x, double y, double z)
+{
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.0, 0.0, 0.0);
+  camera->SetPosition(x, y, z);
+  camera->SetClippingRange(0.1, 20.0);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetGrid(vtkUnstructuredGrid* grid)
+{
+  this->Mapper->SetInputData(grid);
+  this->Oracle->SetInputData(grid);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetConstant(double opacity)
+{
+  this->Color->RemoveAllPoints();
+  this->Color->AddRGBPoint(0.0, 1.0, 1.0, 1.0);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0.0, opacity);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetSmooth()
+{
+  this->Color->RemoveAllPoints();
+  this->Color->AddRGBPoint(0.0, 0.1, 0.2, 0.9);
+  this->Color->AddRGBPoint(0.5, 0.9, 0.9, 0.2);
+  this->Color->AddRGBPoint(1.0, 0.9, 0.1, 0.1);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0.0, 0.1);
+  this->Opacity->AddPoint(1.0, 2.0);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetSpiky()
+{
+  this->SetSmooth();
+  this->Opacity->RemoveAllPoints();
+  for (int i = 0; i < 9; ++i)
+  {
+    this->Opacity->AddPoint(i / 8.0, i % 2 == 0 ? 0.0 : 4.0 + 6.0 * (i % 3));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TestScene::Render()
+{
+  this->Window->Render();
+}
+
+//------------------------------------------------------------------------------
+double TestScene::MaximumError(const std::string& name)
+{
+  this->Render();
+  vtkImageData* captured = this->Mapper->GetCapturedImage();
+  if (!captured)
+  {
+    std::cerr << name << ": no image was captured\n";
+    return -1.0;
+  }
+  const int* size = this->Renderer->GetSize();
+  this->Oracle->SetVolume(this->Volume);
+  this->Oracle->SetCamera(this->Renderer->GetActiveCamera());
+  this->Oracle->SetSize(size[0], size[1]);
+  if (!this->Oracle->Update())
+  {
+    return -1.0;
+  }
+  this->Oracle->Compare(captured);
+  const double maximum = this->Oracle->GetMaximumError();
+  std::cout << name << ": covered " << this->Oracle->GetNumberOfCoveredPixels() << " RMSE "
+            << this->Oracle->GetRootMeanSquareError() << " 99.9 % "
+            << this->Oracle->GetPercentileError() << " maximum " << maximum << "\n";
+  int worst[2];
+  this->Oracle->GetMaximumErrorPixel(worst);
+  std::cout << "  worst pixel " << worst[0] << " " << worst[1] << ":";
+  for (int i = 0; i < 4; ++i)
+  {
+    std::cout << "  " << captured->GetScalarComponentAsDouble(worst[0], worst[1], 0, i) << " for "
+              << this->Oracle->GetImage()->GetScalarComponentAsDouble(worst[0], worst[1], 0, i);
+  }
+  std::cout << "\n";
+  // An image of nothing is right about nothing.
+  return this->Oracle->GetNumberOfCoveredPixels() > 0 ? maximum : -1.0;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 4> TestScene::Pixel(int x, int y)
+{
+  std::array<double, 4> value{ { -1.0, -1.0, -1.0, -1.0 } };
+  vtkImageData* image = this->Mapper->GetCapturedImage();
+  for (int i = 0; image && i < 4; ++i)
+  {
+    value[i] = image->GetScalarComponentAsDouble(x, y, 0, i);
+  }
+  return value;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 4> TestScene::CenterPixel()
+{
+  const int* size = this->Renderer->GetSize();
+  return this->Pixel(size[0] / 2, size[1] / 2);
+}
+
+//------------------------------------------------------------------------------
+double TestScene::Difference(vtkImageData* a, vtkImageData* b)
+{
+  if (!a || !b || a->GetNumberOfPoints() != b->GetNumberOfPoints())
+  {
+    return -1.0;
+  }
+  vtkDataArray* valuesA = a->GetPointData()->GetScalars();
+  vtkDataArray* valuesB = b->GetPointData()->GetScalars();
+  double largest = 0.0;
+  for (vtkIdType id = 0; id < valuesA->GetNumberOfTuples(); ++id)
+  {
+    for (int i = 0; i < 4; ++i)
+    {
+      const double difference = valuesA->GetComponent(id, i) - valuesB->GetComponent(id, i);
+      largest = std::max(largest, std::abs(difference));
+    }
+  }
+  return largest;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkImageData> TestScene::CopyCaptured()
+{
+  auto copy = vtkSmartPointer<vtkImageData>::New();
+  if (this->Mapper->GetCapturedImage())
+  {
+    copy->DeepCopy(this->Mapper->GetCapturedImage());
+  }
+  return copy;
+}

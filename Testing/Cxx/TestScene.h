@@ -1,0 +1,90 @@
+#ifndef TestScene_h
+#define TestScene_h
+
+#include "vtkCamera.h"
+#include "vtkCellProjectionOracle.h"
+#include "vtkColorTransferFunction.h"
+#include "vtkCommand.h"
+#include "vtkImageData.h"
+#include "vtkNew.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkPreIntegratedTetrahedraMapper.h"
+#include "vtkRenderWindow.h"
+#include "vtkRenderer.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <array>
+#include <iostream>
+#include <string>
+#include <vector>
+
+/// Fails the test with the place and what was found; `return checks.Result();` ends it.
+class TestChecks
+{
+public:
+  void Check(bool good, const char* text, int line, const std::string& found = "");
+  int Result() const { return this->Failures == 0 ? 0 : 1; }
+
+private:
+  int Failures = 0;
+};
+
+#define CHECK(condition) checks.Check((condition), #condition, __LINE__)
+#define CHECK_AT_MOST(value, bound)                                                                \
+  checks.Check((value) <= (bound), #value " <= " #bound, __LINE__, std::to_string(value))
+#define CHECK_NEAR(value, expected, bound)                                                         \
+  checks.Check(std::abs((value) - (expected)) <= (bound), #value " is " #expected, __LINE__,       \
+    std::to_string(value) + ", not " + std::to_string(expected))
+
+/// Collects what an object says instead of printing it (an "ERROR:" in the output fails a test).
+class MessageObserver : public vtkCommand
+{
+public:
+  static MessageObserver* New() { return new MessageObserver; }
+  void Execute(vtkObject* caller, unsigned long event, void* data) override;
+  void Watch(vtkObject* object);
+  int Count() const { return static_cast<int>(this->Texts.size()); }
+  /// How many of the messages contain `text`.
+  int CountOf(const std::string& text) const;
+
+  std::vector<std::string> Texts;
+};
+
+/// A window of our mapper with the oracle beside it.
+class TestScene
+{
+public:
+  explicit TestScene(int width = 128, int height = 128);
+
+  /// The largest difference between the captured image and the oracle; below zero where either
+  /// failed. Prints all the figures.
+  double MaximumError(const std::string& name);
+  void Render();
+  /// Premultiplied RGBA of a pixel of the captured image.
+  std::array<double, 4> Pixel(int x, int y);
+  std::array<double, 4> CenterPixel();
+  /// The largest difference between two captured images; below zero where their sizes differ.
+  static double Difference(vtkImageData* a, vtkImageData* b);
+  /// A copy of the image captured last.
+  vtkSmartPointer<vtkImageData> CopyCaptured();
+  void SetGrid(vtkUnstructuredGrid* grid);
+  /// Constant colour and extinction (per unit distance 1).
+  void SetConstant(double opacity);
+  /// Nine points with spikes; `smooth` has three.
+  void SetSpiky();
+  void SetSmooth();
+  void LookFrom(double x, double y, double z);
+
+  vtkNew<vtkRenderWindow> Window;
+  vtkNew<vtkRenderer> Renderer;
+  vtkNew<vtkVolume> Volume;
+  vtkNew<vtkVolumeProperty> Property;
+  vtkNew<vtkColorTransferFunction> Color;
+  vtkNew<vtkPiecewiseFunction> Opacity;
+  vtkNew<vtkPreIntegratedTetrahedraMapper> Mapper;
+  vtkNew<vtkCellProjectionOracle> Oracle;
+};
+
+#endif

@@ -1,0 +1,51 @@
+/**
+ * The cells that a ray can meet: tetrahedra, convex polyhedra and cells with warped faces. Every
+ * ray is clipped against every cell whose bounding sphere it meets.
+ */
+
+#ifndef OracleCells_h
+#define OracleCells_h
+
+#include "OraclePolyhedron.h"
+#include "OracleTetrahedron.h"
+#include "OracleWarpedCell.h"
+
+#include <vector>
+
+class OracleCells
+{
+public:
+  /**
+   * `loops` are the faces of indices into `vertices`. Cells with a non-finite value and flat cells
+   * (all vertices in one plane, to rounding) are dropped.
+   */
+  void AddTetrahedron(const std::vector<OracleVertex>& vertices);
+  void AddPolyhedron(
+    const std::vector<OracleVertex>& vertices, const std::vector<std::vector<int>>& loops);
+
+  /** Replaces `segments` by those of the ray, nearest first by their middles. */
+  void Clip(const OracleRay& ray, std::vector<OracleSegment>& segments) const;
+
+private:
+  struct Sphere
+  {
+    OracleVector Center;
+    double Radius;
+  };
+
+  template <typename Cell>
+  static void Clip(const OracleRay& ray, const std::vector<Sphere>& spheres,
+    const std::vector<Cell>& cells, std::vector<OracleSegment>& segments);
+  static bool IsSolid(const std::vector<OracleVertex>& vertices);
+  static Sphere GetSphere(const std::vector<OracleVertex>& vertices);
+  static bool Meets(const OracleRay& ray, const Sphere& sphere);
+
+  std::vector<Sphere> TetrahedronSpheres;
+  std::vector<OracleTetrahedron> Tetrahedra;
+  std::vector<Sphere> PolyhedronSpheres;
+  std::vector<OraclePolyhedron> Polyhedra;
+  std::vector<Sphere> WarpedSpheres;
+  std::vector<OracleWarpedCell> WarpedCells;
+};
+
+#endif

@@ -1,0 +1,150 @@
+#include "OracleFunctions.h"
+
+#include "vtkColorTransferFunction.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+OracleFunctions::OracleFunctions(vtkVolumeProperty* property)
+  : Opacity(property->GetScalarOpacity())
+  , UnitDistance(property->GetScalarOpacityUnitDistance())
+{
+  this->AddOpacityBreaks(this->Opacity);
+  if (property->GetColorChannels() == 1)
+  {
+    this->Gray = property->GetGrayTransferFunction();
+    this->AddOpacityBreaks(this->Gray);
+  }
+  else
+  {
+    this->Color = property->GetRGBTransferFunction();
+    this->Color->Build();
+    this->AddColorBreaks(this->Color);
+  }
+  std::sort(this->Breaks.begin(), this->Breaks.end());
+  this->Breaks.erase(std::unique(this->Breaks.begin(), this->Breaks.end()), this->Breaks.end());
+  // A first evaluation here lets the functions finish what they do lazily, before threads start.
+  this->GetColor(this->Breaks.empty() ? 0.0 : this->Breaks.front());
+  this->GetExtinction(this->Breaks.empty() ? 0.0 : this->Breaks.front());
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OracleFunctions::GetColor(double scalar) const
+{
+  std::array<double, 3> color;
+  if (this->Gray)
+  {
+    color.fill(this->Gray->GetValue(scalar));
+  }
+  else
+  {
+    this->Color->GetColor(scalar, color.data());
+  }
+  return color;
+}
+
+//------------------------------------------------------------------------------
+double OracleFunctions::GetOpacity(double scalar) const
+{
+  return this->Opacity->GetValue(scalar);
+}
+
+//------------------------------------------------------------------------------
+double OracleFunctions::GetExtinction(double scalar) const
+{
+  return this->GetOpacity(scalar) / this->UnitDistance;
+}
+
+//------------------------------------------------------------------------------
+void OracleFunctions::AddNode(
+  double position, double midpoint, bool logarithmic, double next, bool isLast)
+{
+  this->Breaks.push_back(position);
+  if (!isLast)
+  {
+    this->Breaks.push_back(logarithmic && position > 0.0
+                             ? position * std::pow(next / position, midpoint)
+                             : position + midpoint * (next - position));
+  }
+}
+
+//------------------------------------------------------------------------------
+void OracleFunctions::AddOpacityBreaks(vtkPiecewiseFunction* function)
+{
+  const int size = function->GetSize();
+  double node[4], next[4];
+  for (int index = 0; index < size; ++index)
+  {
+    const bool isLast = index + 1 == size;
+    function->GetNodeValue(index, node);
+    function->GetNodeValue(isLast ? index : index + 1, next);
+    this->AddNode(node[0], node[2], function->GetUseLogScale(), next[0], isLast);
+  }
+}
+
+//------------------------------------------------------------------------------
+void OracleFunctions::AddColorBreaks(vtkColorTransferFunction* function)
+{
+  const int size = function->GetSize();
+  double node[6], next[6];
+  for (int index = 0; index < size; ++index)
+  {
+    const bool isLast = index + 1 == size;
+    function->GetNodeValue(index, node);
+    function->GetNodeValue(isLast ? index : index + 1, next);
+    const bool logarithmic = function->GetScale() == VTK_CTF_LOG10;
+    this->AddNode(node[0], node[4], logarithmic, next[0], isLast);
+    if (!isLast && function->GetColorSpace() != VTK_CTF_RGB)
+    {
+      this->AddKinks(node[0], next[0]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void OracleFunctions::AddKinks(double first, double last)
+{
+  const int count = 256;
+  for (int i = 0; i < count; ++i)
+  {
+    // The ends stay out: a step at a node is no kink between the nodes.
+    const double a = first + (last - first) * (i + 0.1) / (count + 0.2);
+    const double b = first + (last - first) * (i + 1.1) / (count + 0.2);
+    if (this->GetSector(a) != this->GetSector(b))
+    {
+      this->Breaks.push_back(this->FindKink(a, b));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+double OracleFunctions::FindKink(double first, double last) const
+{
+  const int sector = this->GetSector(first);
+  for (int step = 0; step < 60; ++step)
+  {
+    const double middle = (first + last) / 2.0;
+    (this->GetSector(middle) == sector ? first : last) = middle;
+  }
+  return (first + last) / 2.0;
+}
+
+//------------------------------------------------------------------------------
+int OracleFunctions::GetSector(double scalar) const
+{
+  const std::array<double, 3> color = this->GetColor(scalar);
+  int sector = 0;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const bool isBlack = color[channel]<1e-12, isFull = color[channel]> 1.0 - 1e-12;
+    sector = 3 * sector + (isBlack ? 0 : (isFull ? 2 : 1));
+  }
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    sector = 2 * sector + (color[channel] > color[(channel + 1) % 3]);
+  }
+  return sector;
+}

@@ -1,0 +1,54 @@
+/**
+ * The colour and opacity functions of a volume property, evaluated in double by VTK itself.
+ *
+ * Colour is the RGB or the gray function, by the property's colour channels, linear 0..1 per
+ * channel. Component 0 of the property is read; shading, gradient opacity and interpolation type
+ * are not. Evaluation is thread-safe after construction, while nobody modifies the property.
+ */
+
+#ifndef OracleFunctions_h
+#define OracleFunctions_h
+
+#include <array>
+#include <vector>
+
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
+class vtkVolumeProperty;
+
+class OracleFunctions
+{
+public:
+  /** The property must outlive this object; its unit distance must be positive. */
+  explicit OracleFunctions(vtkVolumeProperty* property);
+
+  std::array<double, 3> GetColor(double scalar) const;
+  double GetOpacity(double scalar) const;
+
+  /** Opacity per world length. */
+  double GetExtinction(double scalar) const;
+
+  /**
+   * Ascending scalars between which both functions are smooth: their nodes, the midpoints between
+   * nodes, where a sharp function steps, and the kinks of colour spaces that are not linear (a new
+   * sector of the hue, a channel that is clamped), which are searched for. Steps anywhere else (a
+   * discretised function) are left to the integration.
+   */
+  const std::vector<double>& GetBreaks() const { return this->Breaks; }
+
+private:
+  void AddNode(double position, double midpoint, bool logarithmic, double next, bool isLast);
+  void AddOpacityBreaks(vtkPiecewiseFunction* function);
+  void AddColorBreaks(vtkColorTransferFunction* function);
+  void AddKinks(double first, double last);
+  double FindKink(double first, double last) const;
+  int GetSector(double scalar) const;
+
+  vtkColorTransferFunction* Color = nullptr;
+  vtkPiecewiseFunction* Gray = nullptr;
+  vtkPiecewiseFunction* Opacity = nullptr;
+  double UnitDistance = 1.0;
+  std::vector<double> Breaks;
+};
+
+#endif

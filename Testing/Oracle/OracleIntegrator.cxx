@@ -1,0 +1,190 @@
+#include "OracleIntegrator.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+const double Tolerance = 1e-11;
+// 2^-60 of a piece is below the last place of its scalars: a step is then found as well as it can
+// be.
+const int LastLevel = 60;
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Rgba OracleIntegrator::Composite(const std::vector<OracleSegment>& segments) const
+{
+  const Light light = this->Integrate(segments, true);
+  return { light.Color[0], light.Color[1], light.Color[2], -std::expm1(-light.Depth) };
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Rgba OracleIntegrator::Add(const std::vector<OracleSegment>& segments) const
+{
+  const Light light = this->Integrate(segments, false);
+  return { light.Color[0], light.Color[1], light.Color[2], 0.0 };
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Rgba OracleIntegrator::Maximum(const std::vector<OracleSegment>& segments) const
+{
+  if (segments.empty())
+  {
+    return { 0.0, 0.0, 0.0, 0.0 };
+  }
+  double extremum = segments.front().EntryScalar;
+  for (const OracleSegment& segment : segments)
+  {
+    extremum = std::max({ extremum, segment.EntryScalar, segment.ExitScalar });
+  }
+  return this->Project(extremum);
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Rgba OracleIntegrator::Minimum(const std::vector<OracleSegment>& segments) const
+{
+  if (segments.empty())
+  {
+    return { 0.0, 0.0, 0.0, 0.0 };
+  }
+  double extremum = segments.front().EntryScalar;
+  for (const OracleSegment& segment : segments)
+  {
+    extremum = std::min({ extremum, segment.EntryScalar, segment.ExitScalar });
+  }
+  return this->Project(extremum);
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Rgba OracleIntegrator::Project(double scalar) const
+{
+  const std::array<double, 3> color = this->Functions.GetColor(scalar);
+  const double opacity = this->Functions.GetOpacity(scalar);
+  return { color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity };
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Light OracleIntegrator::Integrate(
+  const std::vector<OracleSegment>& segments, bool absorbs) const
+{
+  Light ray;
+  for (const OracleSegment& segment : segments)
+  {
+    for (const Piece& piece : this->Split(segment))
+    {
+      const double transmittance = absorbs ? std::exp(-ray.Depth) : 1.0;
+      const Light whole = this->Estimate(piece, absorbs);
+      ray = Join(ray, this->Refine(piece, whole, transmittance, absorbs, 0), absorbs);
+    }
+  }
+  return ray;
+}
+
+//------------------------------------------------------------------------------
+std::vector<OracleIntegrator::Piece> OracleIntegrator::Split(const OracleSegment& segment) const
+{
+  const double entry = segment.EntryScalar, exit = segment.ExitScalar;
+  const double length = segment.Exit - segment.Entry;
+  std::vector<double> scalars = { entry };
+  for (double scalar : this->Functions.GetBreaks())
+  {
+    if (std::min(entry, exit) < scalar && scalar < std::max(entry, exit))
+    {
+      scalars.push_back(scalar);
+    }
+  }
+  if (exit < entry)
+  {
+    std::reverse(scalars.begin() + 1, scalars.end());
+  }
+  scalars.push_back(exit);
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < scalars.size(); ++i)
+  {
+    const double change = scalars[i] - scalars[i - 1];
+    const double share = entry == exit ? 1.0 : change / (exit - entry);
+    pieces.push_back({ scalars[i - 1], scalars[i], length * share });
+  }
+  return pieces;
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Light OracleIntegrator::Refine(
+  const Piece& piece, const Light& whole, double transmittance, bool absorbs, int level) const
+{
+  const Piece frontPiece = piece.GetFront(), backPiece = piece.GetBack();
+  Light front = this->Estimate(frontPiece, absorbs);
+  Light back = this->Estimate(backPiece, absorbs);
+  const Light joined = Join(front, back, absorbs);
+  if (level == LastLevel || Agree(whole, joined, transmittance, absorbs))
+  {
+    return joined;
+  }
+  front = this->Refine(frontPiece, front, transmittance, absorbs, level + 1);
+  const double behind = absorbs ? transmittance * std::exp(-front.Depth) : 1.0;
+  back = this->Refine(backPiece, back, behind, absorbs, level + 1);
+  return Join(front, back, absorbs);
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Light OracleIntegrator::Estimate(const Piece& piece, bool absorbs) const
+{
+  using Values = OracleQuadrature::Values;
+  Values depth;
+  std::array<Values, 3> emission;
+  for (int i = 0; i < OracleQuadrature::Size; ++i)
+  {
+    const double x = this->Quadrature.GetNodes()[i];
+    const double scalar = piece.Entry + x * (piece.Exit - piece.Entry);
+    const std::array<double, 3> color = this->Functions.GetColor(scalar);
+    depth[i] = this->Functions.GetExtinction(scalar) * piece.Length;
+    for (int channel = 0; channel < 3; ++channel)
+    {
+      emission[channel][i] = color[channel] * depth[i];
+    }
+  }
+  Values transmittance = this->Quadrature.IntegrateToNodes(depth);
+  for (double& value : transmittance)
+  {
+    value = absorbs ? std::exp(-value) : 1.0;
+  }
+  Light light;
+  light.Depth = this->Quadrature.Integrate(depth);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    for (int i = 0; i < OracleQuadrature::Size; ++i)
+    {
+      emission[channel][i] *= transmittance[i];
+    }
+    light.Color[channel] = this->Quadrature.Integrate(emission[channel]);
+  }
+  return light;
+}
+
+//------------------------------------------------------------------------------
+OracleIntegrator::Light OracleIntegrator::Join(const Light& front, const Light& back, bool absorbs)
+{
+  const double transmittance = absorbs ? std::exp(-front.Depth) : 1.0;
+  Light both;
+  both.Depth = front.Depth + back.Depth;
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    both.Color[channel] = front.Color[channel] + transmittance * back.Color[channel];
+  }
+  return both;
+}
+
+//------------------------------------------------------------------------------
+bool OracleIntegrator::Agree(const Light& a, const Light& b, double transmittance, bool absorbs)
+{
+  // Written so that what is not a number agrees: halving it would never end.
+  const double alphas = std::abs(std::exp(-a.Depth) - std::exp(-b.Depth));
+  bool agree = !absorbs || !(transmittance * alphas > Tolerance);
+  for (int channel = 0; channel < 3; ++channel)
+  {
+    const double difference = std::abs(a.Color[channel] - b.Color[channel]);
+    const double bound = Tolerance * std::max(1.0, std::abs(b.Color[channel]));
+    agree = agree && !(transmittance * difference > bound);
+  }
+  return agree;
+}

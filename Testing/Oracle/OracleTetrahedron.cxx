@@ -1,0 +1,75 @@
+#include "OracleTetrahedron.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+OracleTetrahedron::OracleTetrahedron(std::array<OracleVertex, 4> vertices)
+{
+  std::sort(vertices.begin(), vertices.end(),
+    [](const OracleVertex& a, const OracleVertex& b) { return a.Id < b.Id; });
+  for (int opposite = 0; opposite < 4; ++opposite)
+  {
+    std::array<OracleVector, 3> face;
+    for (int vertex = 0, corner = 0; vertex < 4; ++vertex)
+    {
+      if (vertex != opposite)
+      {
+        face[corner++] = vertices[vertex].Position;
+      }
+    }
+    Plane& plane = this->Planes[opposite];
+    plane.Point = face[0];
+    plane.Normal = (face[1] - face[0]).Cross(face[2] - face[0]);
+    plane.Height = plane.Normal.Dot(vertices[opposite].Position - face[0]);
+    plane.Scalar = vertices[opposite].Scalar;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool OracleTetrahedron::Clip(const OracleRay& ray, OracleSegment& segment) const
+{
+  double entry = ray.Near;
+  double exit = ray.Far;
+  for (const Plane& plane : this->Planes)
+  {
+    const double height = plane.Normal.Dot(ray.Origin - plane.Point);
+    const double slope = plane.Normal.Dot(ray.Direction);
+    const double inwards = slope * plane.Height;
+    if (inwards > 0.0)
+    {
+      entry = std::max(entry, -height / slope);
+    }
+    else if (inwards < 0.0)
+    {
+      exit = std::min(exit, -height / slope);
+    }
+    else
+    {
+      const double side = height != 0.0 ? height : plane.Normal.Dot(OracleRay::GetNudge());
+      exit = side * plane.Height > 0.0 ? exit : entry;
+    }
+  }
+  if (!(entry < exit))
+  {
+    return false;
+  }
+  segment = { entry, exit, this->Interpolate(ray, entry), this->Interpolate(ray, exit) };
+  return true;
+}
+
+//------------------------------------------------------------------------------
+double OracleTetrahedron::Interpolate(const OracleRay& ray, double t) const
+{
+  double sum = 0.0;
+  double scalar = 0.0;
+  for (const Plane& plane : this->Planes)
+  {
+    const double height =
+      plane.Normal.Dot(ray.Origin - plane.Point) + t * plane.Normal.Dot(ray.Direction);
+    // Rounding alone can leave [0, 1]; a scalar outside the vertices' range would fool MIP.
+    const double weight = std::clamp(height / plane.Height, 0.0, 1.0);
+    sum += weight;
+    scalar += weight * plane.Scalar;
+  }
+  return scalar / sum;
+}

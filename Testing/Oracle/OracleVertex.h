@@ -1,0 +1,18 @@
+/**
+ * A vertex of a cell: the mesh's point id (it fixes every choice that two cells must make alike),
+ * the position in world units relative to the mesh's centre, and the scalar.
+ */
+
+#ifndef OracleVertex_h
+#define OracleVertex_h
+
+#include "OracleVector.h"
+
+struct OracleVertex
+{
+  long long Id = 0;
+  OracleVector Position;
+  double Scalar = 0.0;
+};
+
+#endif
