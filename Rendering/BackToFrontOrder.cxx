@@ -49,7 +49,7 @@ bool BackToFrontOrder::Update(
   vtkVisibilitySort* sort = this->Choose(given);
   const View view = TakeView(frame);
   if (sort == this->SeenSort && sort->GetMTime() == this->SeenSortTime &&
-    cells->GetMTime() == this->SeenCells && view == this->SeenView)
+      cells->GetMTime() == this->SeenCells && view == this->SeenView)
   {
     return false;
   }

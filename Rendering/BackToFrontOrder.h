@@ -17,7 +17,8 @@ struct CellProjectionFrame;
 
 /**
  * @class BackToFrontOrder
- * @brief A mesh's cells in the order of a vtkVisibilitySort, kept until the view or the mesh changes.
+ * @brief A mesh's cells in the order of a vtkVisibilitySort, kept until the view or the mesh
+ * changes.
  *
  * The order is a permutation whatever the sort returns: ids it repeats or invents are left out, ids
  * it forgets come last; both are counted.

@@ -3,10 +3,8 @@
 
 #include "CellProjectionFrame.h"
 #include "FloatTarget.h"
-#include "MeshCoordinates.h"
 #include "OpaqueDepth.h"
-#include "ScalarField.h"
-#include "TransferFunction.h"
+#include "PreparedVolume.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkConvexCells.h"
 #include "vtkImageData.h"
@@ -14,7 +12,6 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
-#include "vtkTimeStamp.h"
 #include "vtkWeakPointer.h"
 
 #include <set>
@@ -25,13 +22,7 @@ class vtkConvexCellMapper::Internals
 {
 public:
   vtkNew<vtkConvexCells> Cells;
-  MeshCoordinates Coordinates;
-  ScalarField Scalars;
-  TransferFunction Function;
-
-  vtkTimeStamp CellsTime;
-  vtkTimeStamp ScalarsTime;
-  vtkTimeStamp FunctionTime;
+  PreparedVolume Prepared;
   vtkMTimeType SeenCells = 0;
   // What the transfer function was read from: another property may be older than the last one.
   const void* SeenProperty = nullptr;

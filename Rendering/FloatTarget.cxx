@@ -23,7 +23,7 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height)
   this->Framebuffer->SetContext(window);
   this->Color->SetContext(window);
   if (static_cast<int>(this->Color->GetWidth()) != width ||
-    static_cast<int>(this->Color->GetHeight()) != height)
+      static_cast<int>(this->Color->GetHeight()) != height)
   {
     this->Color->SetMinificationFilter(vtkTextureObject::Nearest);
     this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);

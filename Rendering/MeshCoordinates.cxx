@@ -43,15 +43,17 @@ void MeshCoordinates::Build(vtkUnstructuredGrid* mesh)
   this->Scale = size > 0.0 ? std::exp2(std::ceil(std::log2(size))) : 1.0;
 
   this->Points.assign(4 * static_cast<size_t>(mesh->GetNumberOfPoints()), 0.0f);
-  vtkSMPTools::For(0, mesh->GetNumberOfPoints(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType id = begin; id < end; ++id)
+  vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      double point[3];
-      mesh->GetPoint(id, point);
-      for (int i = 0; i < 3; ++i)
+      for (vtkIdType id = begin; id < end; ++id)
       {
-        this->Points[4 * id + i] = static_cast<float>((point[i] - this->Center[i]) / this->Scale);
+        double point[3];
+        mesh->GetPoint(id, point);
+        for (int i = 0; i < 3; ++i)
+        {
+          this->Points[4 * id + i] = static_cast<float>((point[i] - this->Center[i]) / this->Scale);
+        }
       }
-    }
-  });
+    });
 }

@@ -4,6 +4,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include <vector>
+
 namespace
 {
 int AttachmentParameter(GLenum parameter)
@@ -14,7 +16,8 @@ int AttachmentParameter(GLenum parameter)
   return value;
 }
 
-// The sized format of the multisampled depth attachment: a blit resolves between equal formats only.
+// The sized format of the multisampled depth attachment: a blit resolves between equal formats
+// only.
 int DepthFormat()
 {
   int format = 0;
@@ -71,7 +74,22 @@ private:
 //------------------------------------------------------------------------------
 bool OpaqueDepth::Grab(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
 {
+  if (this->Copy(window, origin, size))
+  {
+    return true;
+  }
+  std::vector<float> farthest(static_cast<size_t>(size[0]) * size[1], 1.0f);
+  this->Depth->CreateDepthFromRaw(
+    size[0], size[1], vtkTextureObject::Float32, VTK_FLOAT, farthest.data());
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+{
   this->Allocate(window, size);
+  // An error that others left behind is not ours.
+  glGetError();
   vtkOpenGLState* state = window->GetState();
   int framebuffer = 0, samples = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
@@ -86,9 +104,18 @@ bool OpaqueDepth::Grab(vtkOpenGLRenderWindow* window, const int origin[2], const
   }
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
-  this->Depth->CopyFromFrameBuffer(origin[0], origin[1], 0, 0, size[0], size[1]);
+  this->CopyBound(origin, size);
   state->PopFramebufferBindings();
   return glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+void OpaqueDepth::CopyBound(const int origin[2], const int size[2])
+{
+  // VTK's own CopyFromFrameBuffer would resolve once more, into a format that may not match.
+  this->Depth->Activate();
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, origin[0], origin[1], size[0], size[1]);
+  this->Depth->Deactivate();
 }
 
 //------------------------------------------------------------------------------
@@ -109,7 +136,10 @@ bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], co
     glBlitFramebuffer(origin[0], origin[1], origin[0] + size[0], origin[1] + size[1], 0, 0, size[0],
       size[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
-    this->Depth->CopyFromFrameBuffer(0, 0, 0, 0, size[0], size[1]);
+    // A framebuffer without colour is complete for reading only if no colour is to be read.
+    glReadBuffer(GL_NONE);
+    const int corner[2] = { 0, 0 };
+    this->CopyBound(corner, size);
     state->PopFramebufferBindings();
   }
   return glGetError() == GL_NO_ERROR;
@@ -120,7 +150,7 @@ void OpaqueDepth::Allocate(vtkOpenGLRenderWindow* window, const int size[2])
 {
   this->Depth->SetContext(window);
   if (static_cast<int>(this->Depth->GetWidth()) != size[0] ||
-    static_cast<int>(this->Depth->GetHeight()) != size[1])
+      static_cast<int>(this->Depth->GetHeight()) != size[1])
   {
     this->Depth->AllocateDepth(size[0], size[1], vtkTextureObject::Float32);
   }

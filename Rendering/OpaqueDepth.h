@@ -12,7 +12,8 @@ class vtkWindow;
  * @brief The depth of the opaque scene in one viewport, as a texture of window depths.
  *
  * Reads the framebuffer that is bound for drawing, whatever made it. Multisampled depth is resolved
- * first (the driver picks one sample: on the edge of a surface a pixel is either inside or outside).
+ * first (the driver picks one sample: on the edge of a surface a pixel is either inside or
+ * outside).
  */
 class OpaqueDepth
 {
@@ -23,8 +24,10 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  bool Copy(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2]);
   void Allocate(vtkOpenGLRenderWindow* window, const int size[2]);
   bool Resolve(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2]);
+  void CopyBound(const int origin[2], const int size[2]);
 
   vtkNew<vtkTextureObject> Depth;
 };

@@ -6,7 +6,8 @@
 
 /**
  * @class PremultipliedBlending
- * @brief GL state for laying premultiplied colours over each other, restored at the end of its life.
+ * @brief GL state for laying premultiplied colours over each other, restored at the end of its
+ * life.
  */
 class PremultipliedBlending
 {

@@ -7,8 +7,8 @@
 
 namespace
 {
-void SetTriple(
-  vtkShaderProgram* program, const char* name, const glm::vec3& a, const glm::vec3& b, const glm::vec3& c)
+void SetTriple(vtkShaderProgram* program, const char* name, const glm::vec3& a, const glm::vec3& b,
+  const glm::vec3& c)
 {
   const glm::vec3 values[3] = { a, b, c };
   program->SetUniform3fv(name, 3, glm::value_ptr(values[0]));

@@ -14,7 +14,8 @@ namespace RayUniforms
 {
 constexpr int MaximumClippingPlanes = 6;
 
-void Set(vtkShaderProgram* program, const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes);
+void Set(
+  vtkShaderProgram* program, const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes);
 }
 
 #endif

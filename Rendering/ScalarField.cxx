@@ -56,13 +56,15 @@ void ScalarField::Build(vtkDataArray* array, int component, bool onePerCell)
   const double low = this->Range[0];
   const double width = this->Range[1] - low;
   this->Values.resize(static_cast<size_t>(array->GetNumberOfTuples()));
-  vtkSMPTools::For(0, array->GetNumberOfTuples(), [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType id = begin; id < end; ++id)
+  vtkSMPTools::For(0, array->GetNumberOfTuples(),
+    [&](vtkIdType begin, vtkIdType end)
     {
-      const double value = ValueAt(array, id, component);
-      const double normalised = width > 0.0 ? (value - low) / width : 0.0;
-      this->Values[id] = std::isfinite(value) ? static_cast<float>(normalised)
-                                              : std::numeric_limits<float>::quiet_NaN();
-    }
-  });
+      for (vtkIdType id = begin; id < end; ++id)
+      {
+        const double value = ValueAt(array, id, component);
+        const double normalised = width > 0.0 ? (value - low) / width : 0.0;
+        this->Values[id] = std::isfinite(value) ? static_cast<float>(normalised)
+                                                : std::numeric_limits<float>::quiet_NaN();
+      }
+    });
 }

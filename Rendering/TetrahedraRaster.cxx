@@ -12,6 +12,7 @@
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
 #include "cpTetrahedraVertex.h"
+#include "cpTetrahedronPlanes.h"
 #include "cpTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -27,6 +28,7 @@ std::string GeometrySource()
   std::string source = cpTetrahedraGeometry;
   vtkShaderProgram::Substitute(source, "//VTK::Footprint::Dec", cpFootprint);
   vtkShaderProgram::Substitute(source, "//VTK::NearClip::Dec", cpNearClip);
+  vtkShaderProgram::Substitute(source, "//VTK::Planes::Dec", cpTetrahedronPlanes);
   return source;
 }
 
@@ -52,15 +54,13 @@ bool TetrahedraRaster::Check(const TextureBuffer& buffer, bool uploaded)
 }
 
 //------------------------------------------------------------------------------
-bool TetrahedraRaster::UploadPoints(
-  vtkOpenGLRenderWindow* window, const std::vector<float>& points)
+bool TetrahedraRaster::UploadPoints(vtkOpenGLRenderWindow* window, const std::vector<float>& points)
 {
   return this->Check(this->Points, this->Points.Upload(window, points, 4));
 }
 
 //------------------------------------------------------------------------------
-bool TetrahedraRaster::UploadCorners(
-  vtkOpenGLRenderWindow* window, const std::vector<int>& corners)
+bool TetrahedraRaster::UploadCorners(vtkOpenGLRenderWindow* window, const std::vector<int>& corners)
 {
   return this->Check(this->Corners, this->Corners.Upload(window, corners, 4));
 }
@@ -78,9 +78,9 @@ bool TetrahedraRaster::UploadTransferFunction(
   vtkOpenGLRenderWindow* window, const TransferFunction& function)
 {
   this->NumberOfNodes = function.GetNumberOfNodes();
-  return this->Check(this->NodePositions,
-           this->NodePositions.Upload(window, function.GetPositions(), 1)) &&
-    this->Check(this->NodeValues, this->NodeValues.Upload(window, function.GetValues(), 4));
+  return this->Check(
+           this->NodePositions, this->NodePositions.Upload(window, function.GetPositions(), 1)) &&
+         this->Check(this->NodeValues, this->NodeValues.Upload(window, function.GetValues(), 4));
 }
 
 //------------------------------------------------------------------------------
@@ -141,8 +141,8 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   this->Order->Release();
   this->VertexArray->Release();
 
-  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
-         &this->Corners, &this->Points })
+  for (TextureBuffer* buffer :
+    { &this->NodeValues, &this->NodePositions, &this->Scalars, &this->Corners, &this->Points })
   {
     buffer->Deactivate();
   }
@@ -153,8 +153,8 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
 //------------------------------------------------------------------------------
 void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
-         &this->Corners, &this->Points })
+  for (TextureBuffer* buffer :
+    { &this->NodeValues, &this->NodePositions, &this->Scalars, &this->Corners, &this->Points })
   {
     buffer->ReleaseGraphicsResources(window);
   }

@@ -25,8 +25,8 @@ class vtkWindow;
  * projection with two triangles, each fragment computes entry, exit and the integral between them.
  * Points, corners, scalars and transfer function stay on the GPU; a new eye uploads an order alone.
  *
- * Array shapes: points 4 floats each (xyz in mesh coordinates, one unused), corners 4 ids per cell in
- * ascending order, scalars one per point or per cell in [0,1], order one index per drawn cell.
+ * Array shapes: points 4 floats each (xyz in mesh coordinates, one unused), corners 4 ids per cell
+ * in ascending order, scalars one per point or per cell in [0,1], order one index per drawn cell.
  */
 class TetrahedraRaster
 {

@@ -15,17 +15,19 @@ void TetrahedraSelection::TakeCorners(vtkUnstructuredGrid* tetrahedra)
 {
   const vtkIdType cells = tetrahedra->GetNumberOfCells();
   this->Corners.resize(4 * static_cast<size_t>(cells));
-  vtkSMPTools::For(0, cells, [&](vtkIdType begin, vtkIdType end) {
-    vtkNew<vtkIdList> ids;
-    for (vtkIdType cell = begin; cell < end; ++cell)
+  vtkSMPTools::For(0, cells,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      tetrahedra->GetCellPoints(cell, ids);
-      int* corners = &this->Corners[4 * cell];
-      std::transform(ids->begin(), ids->begin() + 4, corners,
-        [](vtkIdType id) { return static_cast<int>(id); });
-      std::sort(corners, corners + 4);
-    }
-  });
+      vtkNew<vtkIdList> ids;
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        tetrahedra->GetCellPoints(cell, ids);
+        int* corners = &this->Corners[4 * cell];
+        std::transform(ids->begin(), ids->begin() + 4, corners,
+          [](vtkIdType id) { return static_cast<int>(id); });
+        std::sort(corners, corners + 4);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -55,12 +57,14 @@ void TetrahedraSelection::Classify(const ScalarField& scalars, const TransferFun
 {
   const vtkIdType cells = this->GetNumberOfCells();
   this->Classes.resize(static_cast<size_t>(cells));
-  vtkSMPTools::For(0, cells, [&](vtkIdType begin, vtkIdType end) {
-    for (vtkIdType cell = begin; cell < end; ++cell)
+  vtkSMPTools::For(0, cells,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      this->Classes[cell] = this->ClassOf(cell, scalars, function);
-    }
-  });
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        this->Classes[cell] = this->ClassOf(cell, scalars, function);
+      }
+    });
   this->NumberOfTransparentCells =
     std::count(this->Classes.begin(), this->Classes.end(), Transparent);
   this->NumberOfInvalidCells = std::count(this->Classes.begin(), this->Classes.end(), Invalid);

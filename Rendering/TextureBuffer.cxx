@@ -14,7 +14,7 @@ bool TextureBuffer::Fits(size_t texels)
     return true;
   }
   this->Failure = std::to_string(texels) + " texels exceed the driver's texture buffer limit of " +
-    std::to_string(limit);
+                  std::to_string(limit);
   return false;
 }
 
@@ -39,9 +39,9 @@ bool TextureBuffer::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components)
 {
   const size_t texels = values.size() / components;
-  return this->Fits(texels) &&
-    this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
-    this->Create(window, texels, components, VTK_FLOAT, components == 1 ? GL_R32F : GL_RGBA32F);
+  return this->Fits(texels) && this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
+         this->Create(
+           window, texels, components, VTK_FLOAT, components == 1 ? GL_R32F : GL_RGBA32F);
 }
 
 //------------------------------------------------------------------------------
@@ -49,9 +49,8 @@ bool TextureBuffer::Upload(
   vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components)
 {
   const size_t texels = values.size() / components;
-  return this->Fits(texels) &&
-    this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
-    this->Create(window, texels, components, VTK_INT, components == 1 ? GL_R32I : GL_RGBA32I);
+  return this->Fits(texels) && this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
+         this->Create(window, texels, components, VTK_INT, components == 1 ? GL_R32I : GL_RGBA32I);
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,8 @@
 
 namespace
 {
-// Intervals are not halved below 2^-16 of their width: a float position would not tell the halves apart.
+// Intervals are not halved below 2^-16 of their width: a float position would not tell the halves
+// apart.
 constexpr int MaximumDepth = 16;
 
 double Difference(const TransferFunction::Sample& a, const TransferFunction::Sample& b)

@@ -9,9 +9,9 @@
  * @class TransferFunction
  * @brief Colour and extinction as one piecewise-linear function of the normalised scalar.
  *
- * Scalars are normalised to [0,1] over the range given to Build. Positions holds one ascending value
- * per node, Values four per node: red, green, blue, extinction per world length. Two nodes at one
- * position are a step: the first holds the limit from below, the second the limit from above.
+ * Scalars are normalised to [0,1] over the range given to Build. Positions holds one ascending
+ * value per node, Values four per node: red, green, blue, extinction per world length. Two nodes at
+ * one position are a step: the first holds the limit from below, the second the limit from above.
  * The first node is at 0, the last at 1, so every scalar of the range lies in an interval.
  *
  * Functions that are linear between the candidate positions are represented exactly, others (HSV,

@@ -45,7 +45,7 @@ bool IsInvertible(const glm::dmat4& matrix)
 bool ViewRays::Build(const Transforms& transforms)
 {
   if (!IsInvertible(transforms.DataToWorld) || !IsInvertible(transforms.WorldToView) ||
-    !IsInvertible(transforms.ViewToClip))
+      !IsInvertible(transforms.ViewToClip))
   {
     return false;
   }
@@ -67,7 +67,8 @@ void ViewRays::SetDepths(const Transforms& transforms, const glm::dmat4& clipToV
     transforms.WorldToView * transforms.DataToWorld * glm::dvec4(transforms.Center, 1.0);
   this->Reference = std::min(std::max(-center.z, this->Near), this->Far);
 
-  // clip z = (-p22 d + p23), clip w = (-p32 d + p33) at depth d; window z = (clip z / clip w + 1) / 2.
+  // clip z = (-p22 d + p23), clip w = (-p32 d + p33) at depth d; window z = (clip z / clip w + 1)
+  // / 2.
   const glm::dmat4& p = transforms.ViewToClip;
   const double p22 = p[2][2], p23 = p[3][2], p32 = p[2][3], p33 = p[3][3];
   const glm::dvec2 numerator(p23 + p33, -2.0 * p33);
@@ -82,26 +83,25 @@ void ViewRays::SetRays(const Transforms& transforms, const glm::dmat4& clipToVie
   const bool perspective = transforms.ViewToClip[2][3] != 0.0;
   const glm::dvec2 size(transforms.Width, transforms.Height);
   const glm::dvec2 middle = glm::floor(0.5 * size);
-  auto rayAt = [&](const glm::dvec2& pixel) {
-    return RayThrough(clipToView, 2.0 * pixel / size - 1.0, perspective);
-  };
+  auto rayAt = [&](const glm::dvec2& pixel)
+  { return RayThrough(clipToView, 2.0 * pixel / size - 1.0, perspective); };
   const ViewRay ray = rayAt(middle);
-  // Rays are linear in the pixel, so a step over the whole viewport gives the slope to full precision.
+  // Rays are linear in the pixel, so a step over the whole viewport gives the slope to full
+  // precision.
   const ViewRay rayX = rayAt(middle + glm::dvec2(size.x, 0.0));
   const ViewRay rayY = rayAt(middle + glm::dvec2(0.0, size.y));
 
   const glm::dmat4 viewToData = glm::inverse(transforms.WorldToView * transforms.DataToWorld);
   auto pointOf = [&](const ViewRay& r) { return r.Origin + this->Reference * r.Direction; };
-  auto meshPoint = [&](const ViewRay& r) {
+  auto meshPoint = [&](const ViewRay& r)
+  {
     const glm::dvec3 data(viewToData * glm::dvec4(pointOf(r), 1.0));
     return (data - transforms.Center) / transforms.Scale;
   };
-  auto meshDirection = [&](const ViewRay& r) {
-    return glm::dvec3(viewToData * glm::dvec4(r.Direction, 0.0)) / transforms.Scale;
-  };
-  auto view = [&](const ViewRay& r) {
-    return glm::dvec4(glm::dvec2(pointOf(r)), glm::dvec2(r.Direction));
-  };
+  auto meshDirection = [&](const ViewRay& r)
+  { return glm::dvec3(viewToData * glm::dvec4(r.Direction, 0.0)) / transforms.Scale; };
+  auto view = [&](const ViewRay& r)
+  { return glm::dvec4(glm::dvec2(pointOf(r)), glm::dvec2(r.Direction)); };
 
   this->Pixel = glm::vec2(middle);
   this->Point = glm::vec3(meshPoint(ray));

@@ -10,13 +10,14 @@
  * @class ViewRays
  * @brief The ray through every pixel, in mesh coordinates.
  *
- * Mesh coordinates are data coordinates about the mesh's centre, divided by its size: huge (UTM) and
- * tiny coordinates keep their digits in a float, and products of three lengths stay in its range.
+ * Mesh coordinates are data coordinates about the mesh's centre, divided by its size: huge (UTM)
+ * and tiny coordinates keep their digits in a float, and products of three lengths stay in its
+ * range.
  *
- * A ray is parametrised by its depth along the view axis, measured from Reference: the plane at right
- * angles to the view axis through the mesh's centre. Pixel coordinates are those of gl_FragCoord
- * within the viewport. All members are evaluated in double and rounded once, so that every
- * cell sees the same ray, and distances inside the mesh do not lose digits to a distant eye.
+ * A ray is parametrised by its depth along the view axis, measured from Reference: the plane at
+ * right angles to the view axis through the mesh's centre. Pixel coordinates are those of
+ * gl_FragCoord within the viewport. All members are evaluated in double and rounded once, so that
+ * every cell sees the same ray, and distances inside the mesh do not lose digits to a distant eye.
  *
  *     point(pixel)     = Point + (pixel - Pixel).x PointX + (pixel - Pixel).y PointY
  *     direction(pixel) = Direction + (pixel - Pixel).x DirectionX + (pixel - Pixel).y DirectionY

@@ -31,7 +31,8 @@ void AppendNodes(Function* function, int valuesPerNode, std::vector<double>& can
   }
 }
 
-// Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for nothing.
+// Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for
+// nothing.
 bool HasEffectiveGradientOpacity(vtkVolumeProperty* property)
 {
   if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity())
@@ -62,8 +63,9 @@ void VolumePropertyReader::CheckFunctions(std::vector<std::string>& problems)
   this->HasOpacity = this->Property->GetScalarOpacity()->GetSize() > 0;
   if (!this->HasOpacity)
   {
-    problems.emplace_back("The property's scalar opacity function has no points: drawn with opacity "
-                          "1; add points to it.");
+    problems.emplace_back(
+      "The property's scalar opacity function has no points: drawn with opacity "
+      "1; add points to it.");
   }
   const bool gray = this->Property->GetColorChannels() == 1;
   this->HasColor = gray ? this->Property->GetGrayTransferFunction()->GetSize() > 0
@@ -71,7 +73,7 @@ void VolumePropertyReader::CheckFunctions(std::vector<std::string>& problems)
   if (!this->HasColor)
   {
     problems.emplace_back(std::string("The property's ") + (gray ? "gray" : "colour") +
-      " function has no points: drawn in white; add points to it.");
+                          " function has no points: drawn in white; add points to it.");
   }
 }
 
@@ -84,7 +86,7 @@ double VolumePropertyReader::CheckUnitDistance(std::vector<std::string>& problem
     return distance;
   }
   problems.push_back("The property's ScalarOpacityUnitDistance is " + std::to_string(distance) +
-    ": drawn with 1; it must be positive.");
+                     ": drawn with 1; it must be positive.");
   return 1.0;
 }
 
@@ -176,7 +178,8 @@ std::vector<std::string> VolumePropertyReader::FindUnsupported(int numberOfCompo
   if (numberOfComponents > 1 && !this->Property->GetIndependentComponents())
   {
     unsupported.emplace_back("IndependentComponents is off: one component of " +
-      std::to_string(numberOfComponents) + " is drawn; call IndependentComponentsOn().");
+                             std::to_string(numberOfComponents) +
+                             " is drawn; call IndependentComponentsOn().");
   }
   return unsupported;
 }

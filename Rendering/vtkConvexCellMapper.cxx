@@ -3,6 +3,7 @@
 #include "ConvexCellMapperInternals.h"
 #include "PremultipliedBlending.h"
 #include "RayUniforms.h"
+#include "ScalarChoice.h"
 #include "SceneView.h"
 #include "VTKVersions.h"
 #include "VolumePropertyReader.h"
@@ -88,7 +89,7 @@ bool vtkConvexCellMapper::BeginFrame(
   if (frame.Size[0] <= 0 || frame.Size[1] <= 0)
   {
     this->WarnOnce("The viewport has " + std::to_string(frame.Size[0]) + "x" +
-      std::to_string(frame.Size[1]) + " pixels: nothing is drawn.");
+                   std::to_string(frame.Size[1]) + " pixels: nothing is drawn.");
     return false;
   }
   if (this->Internal->Window && this->Internal->Window != frame.Window)
@@ -122,12 +123,13 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
   {
     this->WarnOnce(cells->GetLeftOutSummary() + ". They are skipped, the rest is drawn.");
   }
-  vtkUnstructuredGrid* convex = this->GetConvexCells();
+  vtkUnstructuredGrid* convex = cells->GetOutput();
   if (this->Internal->SeenCells != convex->GetMTime())
   {
     this->Internal->SeenCells = convex->GetMTime();
-    this->Internal->Coordinates.Build(convex);
-    this->Internal->CellsTime.Modified();
+    this->Internal->Prepared.Cells = convex;
+    this->Internal->Prepared.Coordinates.Build(convex);
+    this->Internal->Prepared.CellsTime.Modified();
   }
   return convex->GetNumberOfCells() > 0;
 }
@@ -144,7 +146,7 @@ bool vtkConvexCellMapper::CheckInput()
   if (input->GetNumberOfPoints() == 0 || input->GetNumberOfCells() == 0)
   {
     this->FailOnce("The input has " + std::to_string(input->GetNumberOfPoints()) + " points and " +
-      std::to_string(input->GetNumberOfCells()) + " cells: there is nothing to draw.");
+                   std::to_string(input->GetNumberOfCells()) + " cells: there is nothing to draw.");
     return false;
   }
   return true;
@@ -154,12 +156,11 @@ bool vtkConvexCellMapper::CheckInput()
 bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
-  int cellFlag = 0;
-  vtkDataArray* array = vtkAbstractMapper::GetScalars(this->GetConvexCells(), this->ScalarMode,
-    this->ArrayAccessMode, this->ArrayId, this->ArrayName, cellFlag);
-  if (!array || cellFlag > 1)
+  const ScalarChoice choice(this, this->Internal->Prepared.Cells);
+  vtkDataArray* array = choice.Array;
+  if (!array)
   {
-    this->FailOnce("No scalars: " + this->DescribeScalars());
+    this->FailOnce("No scalars: " + choice.Problem);
     return false;
   }
   VolumePropertyReader reader(frame.Volume->GetProperty());
@@ -168,48 +169,31 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
     this->WarnOnce(text);
   }
   const int component = reader.ChooseComponent(array->GetNumberOfComponents());
-  const vtkMTimeType built = this->GetScalarsTime();
-  if (built < this->GetCellsTime() || built < this->GetMTime() ||
-    component != this->Internal->SeenComponent)
+  PreparedVolume& prepared = this->Internal->Prepared;
+  const vtkMTimeType built = prepared.ScalarsTime;
+  if (built < prepared.CellsTime || built < this->GetMTime() ||
+      component != this->Internal->SeenComponent)
   {
     this->Internal->SeenComponent = component;
-    this->Internal->Scalars.Build(array, component, cellFlag == 1);
-    this->Internal->ScalarsTime.Modified();
+    prepared.Scalars.Build(array, component, choice.OnePerCell);
+    prepared.ScalarsTime.Modified();
   }
-  return this->CheckScalars(array, cellFlag == 1);
+  return this->CheckScalars(array, choice.OnePerCell);
 }
 
 //------------------------------------------------------------------------------
 bool vtkConvexCellMapper::CheckScalars(vtkDataArray* array, bool onePerCell)
 {
-  const vtkIdType offenders = this->Internal->Scalars.NumberOfNonFiniteValues;
+  const vtkIdType offenders = this->Internal->Prepared.Scalars.NumberOfNonFiniteValues;
   if (offenders == 0)
   {
     return true;
   }
   const std::string name = array->GetName() ? array->GetName() : "(without a name)";
   this->WarnOnce("Array " + name + " holds " + std::to_string(offenders) + " of " +
-    std::to_string(array->GetNumberOfTuples()) + " values that are not finite: " +
-    (onePerCell ? "these cells" : "the cells at these points") + " are skipped.");
+                 std::to_string(array->GetNumberOfTuples()) + " values that are not finite: " +
+                 (onePerCell ? "these cells" : "the cells at these points") + " are skipped.");
   return offenders < array->GetNumberOfTuples();
-}
-
-//------------------------------------------------------------------------------
-std::string vtkConvexCellMapper::DescribeScalars()
-{
-  const bool named = this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ||
-    this->ScalarMode == VTK_SCALAR_MODE_USE_CELL_FIELD_DATA;
-  if (!named)
-  {
-    return std::string("the input has no active scalars for scalar mode ") +
-      this->GetScalarModeAsString() + "; set them or call SelectScalarArray.";
-  }
-  const bool byName = this->ArrayAccessMode == VTK_GET_ARRAY_BY_NAME;
-  const std::string name = byName ? (this->ArrayName ? this->ArrayName : "(null)")
-                                  : "number " + std::to_string(this->ArrayId);
-  return std::string("the ") +
-    (this->ScalarMode == VTK_SCALAR_MODE_USE_POINT_FIELD_DATA ? "point" : "cell") +
-    " data of the input has no array " + name + "; call SelectScalarArray with one it has.";
 }
 
 //------------------------------------------------------------------------------
@@ -217,36 +201,38 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
   vtkVolumeProperty* property = frame.Volume->GetProperty();
-  const vtkMTimeType built = this->GetTransferFunctionTime();
+  PreparedVolume& prepared = this->Internal->Prepared;
+  const vtkMTimeType built = prepared.FunctionTime;
   if (property == this->Internal->SeenProperty && built > property->GetMTime() &&
-    built > this->GetScalarsTime())
+      built > prepared.ScalarsTime)
   {
     return;
   }
   std::vector<std::string> problems;
   VolumePropertyReader reader(property);
-  reader.Read(this->Internal->Scalars.Range, this->Internal->Function, problems);
+  reader.Read(prepared.Scalars.Range, prepared.Function, problems);
   for (const std::string& text : problems)
   {
     this->WarnOnce(text);
   }
   this->Internal->SeenProperty = property;
-  this->Internal->FunctionTime.Modified();
+  prepared.FunctionTime.Modified();
 }
 
 //------------------------------------------------------------------------------
 bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
 {
-  if (!SceneView::SetRays(frame, this->Internal->Coordinates))
+  if (!SceneView::SetRays(frame, this->Internal->Prepared.Coordinates))
   {
-    this->FailOnce("The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
+    this->FailOnce(
+      "The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
     return false;
   }
   const int count = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
   if (count > RayUniforms::MaximumClippingPlanes)
   {
     this->WarnOnce(std::to_string(count) + " clipping planes are set: the first " +
-      std::to_string(RayUniforms::MaximumClippingPlanes) + " clip.");
+                   std::to_string(RayUniforms::MaximumClippingPlanes) + " clip.");
   }
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);
   return true;
@@ -304,8 +290,8 @@ void vtkConvexCellMapper::SetBlendMode(int mode)
     this->Superclass::SetBlendMode(mode);
     return;
   }
-  vtkErrorMacro("Blend mode " << mode << " is not drawn by this mapper: " << MapperForBlendMode(mode)
-                              << ".");
+  vtkErrorMacro(
+    "Blend mode " << mode << " is not drawn by this mapper: " << MapperForBlendMode(mode) << ".");
 }
 
 //------------------------------------------------------------------------------
@@ -351,45 +337,9 @@ void vtkConvexCellMapper::ReleaseGraphicsResources(vtkWindow* window)
 }
 
 //------------------------------------------------------------------------------
-vtkUnstructuredGrid* vtkConvexCellMapper::GetConvexCells() const
+const PreparedVolume& vtkConvexCellMapper::GetPreparedVolume() const
 {
-  return this->Internal->Cells->GetOutput();
-}
-
-//------------------------------------------------------------------------------
-const MeshCoordinates& vtkConvexCellMapper::GetMeshCoordinates() const
-{
-  return this->Internal->Coordinates;
-}
-
-//------------------------------------------------------------------------------
-const ScalarField& vtkConvexCellMapper::GetScalarField() const
-{
-  return this->Internal->Scalars;
-}
-
-//------------------------------------------------------------------------------
-const TransferFunction& vtkConvexCellMapper::GetTransferFunction() const
-{
-  return this->Internal->Function;
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkConvexCellMapper::GetCellsTime() const
-{
-  return this->Internal->CellsTime.GetMTime();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkConvexCellMapper::GetScalarsTime() const
-{
-  return this->Internal->ScalarsTime.GetMTime();
-}
-
-//------------------------------------------------------------------------------
-vtkMTimeType vtkConvexCellMapper::GetTransferFunctionTime() const
-{
-  return this->Internal->FunctionTime.GetMTime();
+  return this->Internal->Prepared;
 }
 
 //------------------------------------------------------------------------------

@@ -7,15 +7,12 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
-class MeshCoordinates;
-class ScalarField;
-class TransferFunction;
 class vtkDataArray;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkTable;
-class vtkUnstructuredGrid;
 struct CellProjectionFrame;
+struct PreparedVolume;
 
 /**
  * @class vtkConvexCellMapper
@@ -26,12 +23,12 @@ struct CellProjectionFrame;
  * size, blend that image into the window. Subclasses order and project.
  *
  * Honoured: the colour (RGB or gray) and scalar opacity functions, ScalarOpacityUnitDistance, the
- * scalar mode and array choice (point scalars linear, cell scalars constant in their cell; of several
- * components the colour function's VectorMode and VectorComponent choose), up to six clipping planes,
- * the volume's matrix (lengths are those of the world), viewports, perspective and parallel
- * projection, opaque geometry per pixel, the camera inside the mesh. In a hardware selection pass
- * nothing is drawn. Several volumes are drawn one after the other: where they overlap, the order of
- * their cells is not that of the depths.
+ * scalar mode and array choice (point scalars linear, cell scalars constant in their cell; of
+ * several components the colour function's VectorMode and VectorComponent choose), up to six
+ * clipping planes, the volume's matrix (lengths are those of the world), viewports, perspective and
+ * parallel projection, opaque geometry per pixel, the camera inside the mesh. In a hardware
+ * selection pass nothing is drawn. Several volumes are drawn one after the other: where they
+ * overlap, the order of their cells is not that of the depths.
  *
  * What is asked for and not drawn is named by one warning, bad input by one error or warning that
  * counts the offenders; the rest is drawn. A message comes again when it changes.
@@ -75,7 +72,8 @@ public:
   ///@{
   /**
    * What projects: Raster is OpenGL 3.2 core, Tiles plain C++. Automatic takes the faster one that
-   * is there; this version has Raster, and Tiles warns once and draws by Raster. Default: Automatic.
+   * is there; this version has Raster, and Tiles warns once and draws by Raster. Default:
+   * Automatic.
    */
   vtkSetClampMacro(Engine, int, AUTOMATIC, TILES);
   vtkGetMacro(Engine, int);
@@ -95,9 +93,9 @@ public:
   ///@}
 
   /**
-   * The volume alone as the last frame drew it: the viewport's size, one float array of 4 components,
-   * premultiplied RGBA, first row at the bottom. Null where CaptureImage was off or nothing could be
-   * drawn.
+   * The volume alone as the last frame drew it: the viewport's size, one float array of 4
+   * components, premultiplied RGBA, first row at the bottom. Null where CaptureImage was off or
+   * nothing could be drawn.
    */
   vtkImageData* GetCapturedImage();
 
@@ -140,14 +138,8 @@ protected:
   /// Draws the cells into the bound float target. False where nothing can be drawn.
   virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
 
-  // What the stages before left for SortCells and ProjectCells. The times say when each was built.
-  vtkUnstructuredGrid* GetConvexCells() const;
-  const MeshCoordinates& GetMeshCoordinates() const;
-  const ScalarField& GetScalarField() const;
-  const TransferFunction& GetTransferFunction() const;
-  vtkMTimeType GetCellsTime() const;
-  vtkMTimeType GetScalarsTime() const;
-  vtkMTimeType GetTransferFunctionTime() const;
+  /// What the stages before left for SortCells and ProjectCells.
+  const PreparedVolume& GetPreparedVolume() const;
 
   ///@{
   /// One message for each different text.
@@ -175,7 +167,6 @@ private:
 
   bool CheckInput();
   bool CheckScalars(vtkDataArray* array, bool onePerCell);
-  std::string DescribeScalars();
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -2,8 +2,7 @@
 
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
-#include "MeshCoordinates.h"
-#include "ScalarField.h"
+#include "PreparedVolume.h"
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
 #include "vtkObjectFactory.h"
@@ -64,15 +63,16 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
   Internals& internal = *this->Internal;
-  if (internal.CornersTime < this->GetCellsTime())
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  if (internal.CornersTime < prepared.CellsTime)
   {
-    internal.Selection.TakeCorners(this->GetConvexCells());
+    internal.Selection.TakeCorners(prepared.Cells);
     internal.CornersTime.Modified();
   }
   if (internal.SelectionTime < internal.CornersTime ||
-    internal.SelectionTime < this->GetTransferFunctionTime())
+      internal.SelectionTime < prepared.FunctionTime)
   {
-    internal.Selection.Classify(this->GetScalarField(), this->GetTransferFunction());
+    internal.Selection.Classify(prepared.Scalars, prepared.Function);
     internal.SelectionTime.Modified();
   }
 }
@@ -83,48 +83,50 @@ void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
   this->PrepareTetrahedra(frame);
   FrameStatistics::Timer timer(frame.Statistics.SecondsSort);
   Internals& internal = *this->Internal;
-  if (internal.Order.Update(internal.Sort, this->GetConvexCells(), frame))
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  if (internal.Order.Update(internal.Sort, prepared.Cells, frame))
   {
     internal.DrawnOrderTime.Modified();
   }
   if (internal.Order.NumberOfWrongIds > 0)
   {
     this->WarnOnce("The visibility sort repeated, invented or left out " +
-      std::to_string(internal.Order.NumberOfWrongIds) + " cells: the order is not right there.");
+                   std::to_string(internal.Order.NumberOfWrongIds) +
+                   " cells: the order is not right there.");
   }
   const TetrahedraSelection& selection = internal.Selection;
   frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
   frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells;
-  frame.Statistics.CellsDrawn = selection.GetNumberOfCells() -
-    selection.NumberOfTransparentCells - selection.NumberOfInvalidCells;
+  frame.Statistics.CellsDrawn = selection.GetNumberOfCells() - selection.NumberOfTransparentCells -
+                                selection.NumberOfInvalidCells;
 }
 
 //------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::Upload(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
   TetrahedraRaster& raster = internal.Raster;
   bool good = true;
   if (internal.PointsUploaded < internal.CornersTime)
   {
-    good = raster.UploadPoints(frame.Window, this->GetMeshCoordinates().Points) &&
-      raster.UploadCorners(frame.Window, internal.Selection.Corners);
+    good = raster.UploadPoints(frame.Window, prepared.Coordinates.Points) &&
+           raster.UploadCorners(frame.Window, internal.Selection.Corners);
     internal.PointsUploaded.Modified();
   }
-  if (good && internal.ScalarsUploaded < this->GetScalarsTime())
+  if (good && internal.ScalarsUploaded < prepared.ScalarsTime)
   {
-    const ScalarField& scalars = this->GetScalarField();
+    const ScalarField& scalars = prepared.Scalars;
     good = raster.UploadScalars(frame.Window, scalars.Values, scalars.OnePerCell);
     internal.ScalarsUploaded.Modified();
   }
-  if (good && internal.FunctionUploaded < this->GetTransferFunctionTime())
+  if (good && internal.FunctionUploaded < prepared.FunctionTime)
   {
-    good = raster.UploadTransferFunction(frame.Window, this->GetTransferFunction());
+    good = raster.UploadTransferFunction(frame.Window, prepared.Function);
     internal.FunctionUploaded.Modified();
   }
-  if (good &&
-    (internal.OrderUploaded < internal.DrawnOrderTime ||
-      internal.OrderUploaded < internal.SelectionTime))
+  if (good && (internal.OrderUploaded < internal.DrawnOrderTime ||
+                internal.OrderUploaded < internal.SelectionTime))
   {
     std::vector<unsigned int> drawn;
     drawn.reserve(static_cast<size_t>(frame.Statistics.CellsDrawn));

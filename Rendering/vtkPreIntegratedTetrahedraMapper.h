@@ -11,11 +11,11 @@ class vtkVisibilitySort;
  * @class vtkPreIntegratedTetrahedraMapper
  * @brief Absorption and emission by exact projected tetrahedra.
  *
- * Every cell is cut into tetrahedra (vtkConvexCells), these are sorted from back to front and each is
- * projected with the exact integral of emission and absorption: entry and exit from the cell's four
- * planes, split at the transfer function's points, exact alpha, Gauss quadrature in the colour.
- * After Roettger and Ertl, "Cell projection of convex polyhedra", 2003, and Roettger, Guthe, Schieber
- * and Ertl, "Convexification of unstructured grids", 2004, section 8.
+ * Every cell is cut into tetrahedra (vtkConvexCells), these are sorted from back to front and each
+ * is projected with the exact integral of emission and absorption: entry and exit from the cell's
+ * four planes, split at the transfer function's points, exact alpha, Gauss quadrature in the
+ * colour. After Roettger and Ertl, "Cell projection of convex polyhedra", 2003, and Roettger,
+ * Guthe, Schieber and Ertl, "Convexification of unstructured grids", 2004, section 8.
  *
  * Where the order is right the image is within 1e-3 of a float64 ray caster (the tests' bound).
  * The order is that of the visibility sort: VTK's sort by cell centres, the default, is exact for

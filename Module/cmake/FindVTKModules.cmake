@@ -1,5 +1,5 @@
 # VTK by named components: without them VTK 9.6 asks for every dependency it was built with.
-set(vtk_components
+set(cellprojection_vtk_components
   CommonCore
   CommonDataModel
   CommonExecutionModel
@@ -7,8 +7,9 @@ set(vtk_components
   RenderingCore
   RenderingOpenGL2
   RenderingVolume)
+set(build_components)
 if(BUILD_TESTING)
-  list(APPEND vtk_components
+  list(APPEND build_components
     FiltersCore
     FiltersGeneral
     FiltersSources
@@ -23,6 +24,8 @@ if(BUILD_TESTING)
     TestingRendering)
 endif()
 if(CELLPROJECTION_WRAP_PYTHON)
-  list(APPEND vtk_components Python WrappingPythonCore)
+  list(APPEND build_components Python WrappingPythonCore)
 endif()
-find_package(VTK 9.1 REQUIRED COMPONENTS ${vtk_components} OPTIONAL_COMPONENTS glad glew)
+find_package(VTK 9.1 REQUIRED
+  COMPONENTS ${cellprojection_vtk_components} ${build_components}
+  OPTIONAL_COMPONENTS glad glew)

@@ -109,10 +109,10 @@ int main(int argc, char* argv[])
   vtkNew<vtkCellProjectionOracle> oracle;
   vtkNew<vtkPreIntegratedTetrahedraMapper> captured;
   captured->CaptureImageOn();
-  MeasureError(captured.GetPointer(), mesh.Grid, oracle,
-    [&](BenchmarkScene&, vtkImageData*) {
-      return vtkSmartPointer<vtkImageData>(captured->GetCapturedImage());
-    },
+  MeasureError(
+    captured.GetPointer(), mesh.Grid, oracle,
+    [&](BenchmarkScene&, vtkImageData*)
+    { return vtkSmartPointer<vtkImageData>(captured->GetCapturedImage()); },
     rows[0]);
   MeasureError(vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(), mesh.Grid, oracle,
     CaptureWindow, rows[1]);

@@ -6,9 +6,9 @@
 #include "vtkVisibilitySort.h"
 
 /**
- * Back to front by the squared tangential distance to the cells' circumspheres, in double: exact for
- * Delaunay meshes in perspective, with or without holes in them (Max, Hanrahan and Crawfis 1990;
- * Cignoni and De Floriani 1995). Perspective only.
+ * Back to front by the squared tangential distance to the cells' circumspheres, in double: exact
+ * for Delaunay meshes in perspective, with or without holes in them (Max, Hanrahan and Crawfis
+ * 1990; Cignoni and De Floriani 1995). Perspective only.
  */
 class TangentialSort : public vtkVisibilitySort
 {

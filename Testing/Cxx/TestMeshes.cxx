@@ -137,7 +137,8 @@ TestMeshes::Grid TestMeshes::Delaunay(int count)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;
   random->SetSeed(1);
-  auto next = [&random] {
+  auto next = [&random]
+  {
     random->Next();
     return random->GetValue() - 0.5;
   };

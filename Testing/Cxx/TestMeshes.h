@@ -17,7 +17,8 @@ using Field = std::function<double(const double point[3])>;
 /// One tetrahedron with scalars 0, .3, .7 and 1; `numbering` permutes its four corners.
 Grid Tetrahedron(const std::vector<int>& numbering = { 0, 1, 2, 3 });
 
-/// The unit cube about the origin as one cell of `type`: voxel, hexahedron, two wedges, six pyramids.
+/// The unit cube about the origin as one cell of `type`: voxel, hexahedron, two wedges, six
+/// pyramids.
 Grid Cube(int type);
 
 /// The unit cube about the origin as six tetrahedra.

@@ -32,10 +32,10 @@ private:
 };
 
 #define CHECK(condition) checks.Check((condition), #condition, __LINE__)
-#define CHECK_AT_MOST(value, bound)                                                                \
+#define CHECK_AT_MOST(value, bound) \
   checks.Check((value) <= (bound), #value " <= " #bound, __LINE__, std::to_string(value))
-#define CHECK_NEAR(value, expected, bound)                                                         \
-  checks.Check(std::abs((value) - (expected)) <= (bound), #value " is " #expected, __LINE__,       \
+#define CHECK_NEAR(value, expected, bound)                                                   \
+  checks.Check(std::abs((value) - (expected)) <= (bound), #value " is " #expected, __LINE__, \
     std::to_string(value) + ", not " + std::to_string(expected))
 
 /// Collects what an object says instead of printing it (an "ERROR:" in the output fails a test).

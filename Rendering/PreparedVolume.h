@@ -1,0 +1,29 @@
+#ifndef PreparedVolume_h
+#define PreparedVolume_h
+
+#include "MeshCoordinates.h"
+#include "ScalarField.h"
+#include "TransferFunction.h"
+#include "vtkTimeStamp.h"
+
+class vtkUnstructuredGrid;
+
+/**
+ * @class PreparedVolume
+ * @brief What vtkConvexCellMapper's first stages leave for the ordering and the projection.
+ *
+ * Each part comes with the time when it was built: what was made from it before is out of date.
+ */
+struct PreparedVolume
+{
+  vtkUnstructuredGrid* Cells = nullptr;
+  MeshCoordinates Coordinates;
+  ScalarField Scalars;
+  TransferFunction Function;
+
+  vtkTimeStamp CellsTime;
+  vtkTimeStamp ScalarsTime;
+  vtkTimeStamp FunctionTime;
+};
+
+#endif

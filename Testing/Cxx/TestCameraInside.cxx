@@ -1,0 +1,41 @@
+// M4: with the camera inside the mesh every pixel is lit, and exact.
+
+#include "TestMeshes.h"
+#include "TestScene.h"
+
+#include "vtkConvexCells.h"
+
+int TestCameraInside(int, char*[])
+{
+  TestChecks checks;
+  TestScene scene;
+  vtkNew<vtkConvexCells> cut;
+  cut->SetInputData(TestMeshes::Curvilinear(5));
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  scene.SetGrid(cut->GetOutput());
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(0.4, 0.2, 0.1);
+  camera->SetPosition(0.05, 0.02, 0.11);
+  for (const double nearPlane : { 1e-3, 0.1, 0.3 })
+  {
+    camera->SetClippingRange(nearPlane, 10.0);
+    const double error = scene.MaximumError("near plane at " + std::to_string(nearPlane));
+    CHECK(error >= 0.0);
+    CHECK_AT_MOST(error, 1e-3);
+    CHECK(scene.Oracle->GetNumberOfCoveredPixels() == 128 * 128);
+    int dark = 0;
+    for (int i = 0; i < 128 * 128; ++i)
+    {
+      dark += scene.Pixel(i % 128, i / 128)[3] > 0.0 ? 0 : 1;
+    }
+    CHECK(dark == 0);
+  }
+  // The near plane cuts through the mesh that the camera looks at from outside; the far one too.
+  scene.LookFrom(0.3, 0.4, 2.0);
+  camera->SetClippingRange(1.9, 2.2);
+  const double error = scene.MaximumError("near and far plane through the mesh");
+  CHECK(error >= 0.0);
+  CHECK_AT_MOST(error, 1e-3);
+  return checks.Result();
+}
