@@ -12,6 +12,7 @@
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
 #include "cpTetrahedraVertex.h"
+#include "cpTetrahedronClip.h"
 #include "cpTetrahedronPlanes.h"
 #include "cpTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -36,6 +37,7 @@ std::string FragmentSource()
 {
   std::string source = cpTetrahedraFragment;
   vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
+  vtkShaderProgram::Substitute(source, "//VTK::Clip::Dec", cpTetrahedronClip);
   vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
   vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpIntegral);
   vtkShaderProgram::Substitute(source, "//VTK::Segment::Dec", cpSegment);

@@ -1,0 +1,95 @@
+// What is asked for and not drawn is named, once; a blend mode that is not drawn changes nothing.
+
+#include "TestMeshes.h"
+#include "TestScene.h"
+
+#include "vtkDoubleArray.h"
+#include "vtkHardwareSelector.h"
+#include "vtkPointData.h"
+#include "vtkSelection.h"
+
+namespace
+{
+void CheckWarning(TestChecks& checks, const std::string& text, void (*ask)(TestScene&))
+{
+  TestScene scene;
+  vtkNew<MessageObserver> messages;
+  messages->Watch(scene.Mapper);
+  scene.SetGrid(TestMeshes::SixTetrahedra());
+  scene.Render();
+  checks.Check(messages->Count() == 0, "silent before", __LINE__, text);
+  ask(scene);
+  scene.Render();
+  scene.Render();
+  checks.Check(messages->Count() == 1 && messages->CountOf(text) == 1, text.c_str(), __LINE__,
+    std::to_string(messages->Count()) + " messages");
+  checks.Check(scene.CenterPixel()[3] > 0.1, "drawn all the same", __LINE__, text);
+}
+
+void CheckBlendModes(TestChecks& checks)
+{
+  vtkNew<vtkPreIntegratedTetrahedraMapper> mapper;
+  vtkNew<MessageObserver> messages;
+  messages->Watch(mapper);
+  CHECK(mapper->GetBlendMode() == 0);
+  mapper->SetBlendModeToComposite();
+  CHECK(messages->Count() == 0);
+  mapper->SetBlendModeToMaximumIntensity();
+  mapper->SetBlendModeToMinimumIntensity();
+  CHECK(messages->CountOf("use vtkMaximumProjectionMapper") == 2);
+  mapper->SetBlendModeToAdditive();
+  CHECK(messages->CountOf("use vtkProjectedPolyhedraMapper") == 1);
+  mapper->SetBlendModeToIsoSurface();
+  CHECK(messages->CountOf("use vtkBarycentricShellMapper") == 1);
+  CHECK(mapper->GetBlendMode() == 0);
+}
+
+// A hardware selection pass draws ids: a volume must leave no colours in it.
+void CheckSelectionPass(TestChecks& checks)
+{
+  TestScene scene;
+  scene.SetGrid(TestMeshes::SixTetrahedra());
+  scene.Render();
+  vtkNew<vtkHardwareSelector> selector;
+  selector->SetRenderer(scene.Renderer);
+  selector->SetArea(0, 0, 127, 127);
+  vtkSelection* selection = selector->Select();
+  CHECK(selection != nullptr);
+  selection->Delete();
+  scene.Render();
+  CHECK(scene.CenterPixel()[3] > 0.1);
+}
+}
+
+int TestUnsupported(int, char*[])
+{
+  TestChecks checks;
+  CheckWarning(checks, "Shade is on", [](TestScene& s) { s.Property->ShadeOn(); });
+  CheckWarning(checks, "Interpolation is nearest",
+    [](TestScene& s) { s.Property->SetInterpolationTypeToNearest(); });
+  CheckWarning(checks, "gradient opacity",
+    [](TestScene& s)
+    {
+      vtkNew<vtkPiecewiseFunction> function;
+      function->AddPoint(0.0, 0.5);
+      s.Property->SetGradientOpacity(function);
+    });
+  CheckWarning(checks, "two-dimensional transfer function",
+    [](TestScene& s) { s.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D); });
+  CheckWarning(checks, "IndependentComponents is off",
+    [](TestScene& s)
+    {
+      vtkNew<vtkDoubleArray> two;
+      two->SetNumberOfComponents(2);
+      for (vtkIdType id = 0; id < s.Mapper->GetInput()->GetNumberOfPoints(); ++id)
+      {
+        two->InsertNextTuple2(0.1 * id, 1.0);
+      }
+      s.Mapper->GetInput()->GetPointData()->SetScalars(two);
+      s.Property->IndependentComponentsOff();
+    });
+  CheckWarning(checks, "Tiles engine", [](TestScene& s) { s.Mapper->SetEngineToTiles(); });
+  CheckBlendModes(checks);
+  CheckSelectionPass(checks);
+  return checks.Result();
+}
