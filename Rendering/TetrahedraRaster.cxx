@@ -5,6 +5,7 @@
 #include "VTKVersions.h"
 #include "ViewRays.h"
 #include "cpFootprint.h"
+#include "cpHull.h"
 #include "cpIntegral.h"
 #include "cpNearClip.h"
 #include "cpRay.h"
@@ -13,7 +14,6 @@
 #include "cpTetrahedraGeometry.h"
 #include "cpTetrahedraVertex.h"
 #include "cpTetrahedronClip.h"
-#include "cpTetrahedronPlanes.h"
 #include "cpTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -29,7 +29,7 @@ std::string GeometrySource()
   std::string source = cpTetrahedraGeometry;
   vtkShaderProgram::Substitute(source, "//VTK::Footprint::Dec", cpFootprint);
   vtkShaderProgram::Substitute(source, "//VTK::NearClip::Dec", cpNearClip);
-  vtkShaderProgram::Substitute(source, "//VTK::Planes::Dec", cpTetrahedronPlanes);
+  vtkShaderProgram::Substitute(source, "//VTK::Hull::Dec", cpHull);
   return source;
 }
 
@@ -68,11 +68,16 @@ bool TetrahedraRaster::UploadCorners(vtkOpenGLRenderWindow* window, const std::v
 }
 
 //------------------------------------------------------------------------------
-bool TetrahedraRaster::UploadScalars(
-  vtkOpenGLRenderWindow* window, const std::vector<float>& scalars, bool onePerCell)
+bool TetrahedraRaster::UploadPlanes(vtkOpenGLRenderWindow* window, const std::vector<float>& planes)
 {
-  this->CellScalars = onePerCell;
-  return this->Check(this->Scalars, this->Scalars.Upload(window, scalars, 1));
+  return this->Check(this->Planes, this->Planes.Upload(window, planes, 4));
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::UploadScalars(
+  vtkOpenGLRenderWindow* window, const std::vector<float>& scalars)
+{
+  return this->Check(this->Scalars, this->Scalars.Upload(window, scalars, 4));
 }
 
 //------------------------------------------------------------------------------
@@ -111,7 +116,6 @@ void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
   program->SetUniform2f("viewportSize", size);
   glm::mat4 meshToClip = view.Rays->MeshToClip;
   program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
-  program->SetUniformi("cellScalars", this->CellScalars ? 1 : 0);
   program->SetUniformi("numberOfNodes", this->NumberOfNodes);
   program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
 }
@@ -132,7 +136,8 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   view.OpaqueDepth->Activate();
   this->Points.Activate(program, "points");
   this->Corners.Activate(program, "cornerIds");
-  this->Scalars.Activate(program, "scalars");
+  this->Planes.Activate(program, "cellPlanes");
+  this->Scalars.Activate(program, "cellScalars");
   this->NodePositions.Activate(program, "nodePositions");
   this->NodeValues.Activate(program, "nodeValues");
   this->SetUniforms(program, view);
@@ -143,8 +148,8 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   this->Order->Release();
   this->VertexArray->Release();
 
-  for (TextureBuffer* buffer :
-    { &this->NodeValues, &this->NodePositions, &this->Scalars, &this->Corners, &this->Points })
+  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
+         &this->Planes, &this->Corners, &this->Points })
   {
     buffer->Deactivate();
   }
@@ -155,8 +160,8 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
 //------------------------------------------------------------------------------
 void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (TextureBuffer* buffer :
-    { &this->NodeValues, &this->NodePositions, &this->Scalars, &this->Corners, &this->Points })
+  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
+         &this->Planes, &this->Corners, &this->Points })
   {
     buffer->ReleaseGraphicsResources(window);
   }

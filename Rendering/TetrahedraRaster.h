@@ -33,8 +33,8 @@ class TetrahedraRaster
 public:
   bool UploadPoints(vtkOpenGLRenderWindow* window, const std::vector<float>& points);
   bool UploadCorners(vtkOpenGLRenderWindow* window, const std::vector<int>& corners);
-  bool UploadScalars(
-    vtkOpenGLRenderWindow* window, const std::vector<float>& scalars, bool onePerCell);
+  bool UploadPlanes(vtkOpenGLRenderWindow* window, const std::vector<float>& planes);
+  bool UploadScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   bool UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunction& function);
   bool UploadOrder(const std::vector<unsigned int>& order);
 
@@ -60,6 +60,7 @@ private:
 
   TextureBuffer Points;
   TextureBuffer Corners;
+  TextureBuffer Planes;
   TextureBuffer Scalars;
   TextureBuffer NodePositions;
   TextureBuffer NodeValues;
@@ -67,7 +68,6 @@ private:
   vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
   int NumberOfNodes = 0;
   int NumberOfDrawnCells = 0;
-  bool CellScalars = false;
   std::string Failure;
 };
 

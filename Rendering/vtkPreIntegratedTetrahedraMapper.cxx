@@ -3,6 +3,7 @@
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
 #include "PreparedVolume.h"
+#include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
 #include "vtkObjectFactory.h"
@@ -111,13 +112,15 @@ bool vtkPreIntegratedTetrahedraMapper::Upload(CellProjectionFrame& frame)
   if (internal.PointsUploaded < internal.CornersTime)
   {
     good = raster.UploadPoints(frame.Window, prepared.Coordinates.Points) &&
-           raster.UploadCorners(frame.Window, internal.Selection.Corners);
+           raster.UploadCorners(frame.Window, internal.Selection.Corners) &&
+           raster.UploadPlanes(frame.Window,
+             TetrahedraPlanes::Planes(prepared.Coordinates.Points, internal.Selection.Corners));
     internal.PointsUploaded.Modified();
   }
   if (good && internal.ScalarsUploaded < prepared.ScalarsTime)
   {
-    const ScalarField& scalars = prepared.Scalars;
-    good = raster.UploadScalars(frame.Window, scalars.Values, scalars.OnePerCell);
+    good = raster.UploadScalars(
+      frame.Window, TetrahedraPlanes::Scalars(prepared.Scalars, internal.Selection.Corners));
     internal.ScalarsUploaded.Modified();
   }
   if (good && internal.FunctionUploaded < prepared.FunctionTime)
