@@ -5,6 +5,9 @@ function(cellprojection_build_modules root)
   if(BUILD_TESTING)
     list(APPEND module_files "${root}/Testing/Oracle/vtk.module")
     set(ExternalData_OBJECT_STORES "${CMAKE_BINARY_DIR}/ExternalData" CACHE PATH "Object stores of the test data")
+    # Baselines lie in the tree as they are.
+    set(ExternalData_SOURCE_ROOT "${root}/Testing")
+    set(ExternalData_BINARY_ROOT "${CMAKE_BINARY_DIR}")
   endif()
   vtk_module_scan(
     MODULE_FILES ${module_files}
@@ -28,5 +31,8 @@ function(cellprojection_build_modules root)
     TEST_INPUT_DATA_DIRECTORY "${root}/Testing/Data"
     TEST_OUTPUT_DATA_DIRECTORY "${top_binary_dir}/Testing/Data"
     TEST_OUTPUT_DIRECTORY "${top_binary_dir}/Testing/Temporary")
+  if(BUILD_TESTING)
+    ExternalData_Add_Target(CellProjectionData)
+  endif()
   set(cellprojection_modules "${modules}" PARENT_SCOPE)
 endfunction()

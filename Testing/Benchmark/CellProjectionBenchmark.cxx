@@ -1,6 +1,6 @@
 // Our mapper and VTK's projected tetrahedra on the same mesh, views and transfer function, frames
 // interleaved, each one's error against the float64 oracle in the same row.
-//   CellProjectionBenchmark [folder of the data] [frames]
+//   CellProjectionBenchmark [frames]; the data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 
@@ -83,8 +83,9 @@ void Print(const Row& row, double peer, vtkIdType cells)
 
 int main(int argc, char* argv[])
 {
-  const BenchmarkMesh mesh = LoadBenchmarkMesh(argc > 1 ? argv[1] : "");
-  const int frames = argc > 2 ? std::atoi(argv[2]) : 9;
+  const char* folder = std::getenv("CELLPROJECTION_DATA");
+  const BenchmarkMesh mesh = LoadBenchmarkMesh(folder ? folder : "");
+  const int frames = argc > 1 ? std::atoi(argv[1]) : 9;
   const vtkIdType cells = mesh.Grid->GetNumberOfCells();
   std::printf("%s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at %d x %d\n",
     mesh.Name.c_str(), static_cast<long long>(cells), ImageSize, ImageSize, frames, ErrorSize,
@@ -104,7 +105,6 @@ int main(int argc, char* argv[])
       rows[0].Seconds.push_back(ourScene.TimeFrame(frame));
       rows[1].Seconds.push_back(theirScene.TimeFrame(frame));
     }
-    ours->GetLastStatistics()->Dump(24, 1);
   }
   vtkNew<vtkCellProjectionOracle> oracle;
   vtkNew<vtkPreIntegratedTetrahedraMapper> captured;
