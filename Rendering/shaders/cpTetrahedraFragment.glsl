@@ -15,7 +15,9 @@ flat in int cell;
 void main()
 {
   Ray ray = rayOfFragment();
-  Crossing c = crossingOf(cell, ray.point, ray.direction, ray.limits);
+  vec4 texels[6];
+  fetchCell(cell, texels);
+  Crossing c = crossingOf(texels, ray.point, ray.direction, ray.limits);
   // A flat cell has no height and no volume.
   if (!(c.depth.y > c.depth.x) || c.inverseHeight[0] == 0.0)
   {
@@ -25,7 +27,7 @@ void main()
   {
     // Depths of a thin cell differ in their last digits: they are taken again from its own place.
     float depth = c.depth.x;
-    c = crossingOf(cell, ray.point + depth * ray.direction, ray.direction, ray.limits - depth);
+    c = crossingOf(texels, ray.point + depth * ray.direction, ray.direction, ray.limits - depth);
   }
   vec4 cornerScalars = texelFetch(cellScalars, cell);
   float front = scalarAt(c, cornerScalars, c.depth.x);

@@ -14,19 +14,26 @@ struct Crossing
   vec2 depth; // entry and exit
 };
 
-Crossing crossingOf(int cell, vec3 point, vec3 direction, vec2 limits)
+void fetchCell(int cell, out vec4 texels[6])
+{
+  for (int i = 0; i < 6; ++i)
+  {
+    texels[i] = texelFetch(cellPlanes, 6 * cell + i);
+  }
+}
+
+Crossing crossingOf(vec4 texels[6], vec3 point, vec3 direction, vec2 limits)
 {
   Crossing c;
   c.depth = limits;
-  vec3 fromFirst = point - texelFetch(cellPlanes, 6 * cell + 4).xyz;
-  vec3 fromSecond = point - texelFetch(cellPlanes, 6 * cell + 5).xyz;
   for (int i = 0; i < 4; ++i)
   {
-    vec4 plane = texelFetch(cellPlanes, 6 * cell + i);
+    vec4 plane = texels[i];
+    vec3 anchor = texels[i == 0 ? 5 : 4].xyz;
     // Signs change no digit: what one cell finds on a shared face, its neighbour finds negated.
     float inward = sign(plane.w);
     c.inverseHeight[i] = abs(plane.w);
-    c.value[i] = inward * dot(plane.xyz, i == 0 ? fromSecond : fromFirst);
+    c.value[i] = inward * dot(plane.xyz, point - anchor);
     c.slope[i] = inward * dot(plane.xyz, direction);
     float depth = -c.value[i] / c.slope[i];
     c.depth.x = c.slope[i] > 0.0 ? max(c.depth.x, depth) : c.depth.x;

@@ -93,7 +93,9 @@ int main(int argc, char* argv[])
 
   vtkNew<vtkPreIntegratedTetrahedraMapper> ours;
   auto theirs = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
-  Row rows[2] = { { "ours, Raster, centre sort" }, { "VTK projected tetrahedra" } };
+  Row rows[2];
+  rows[0].Name = "ours, Raster, centre sort";
+  rows[1].Name = "VTK projected tetrahedra";
   {
     BenchmarkScene ourScene(ours, mesh.Grid, ImageSize);
     BenchmarkScene theirScene(theirs, mesh.Grid, ImageSize);

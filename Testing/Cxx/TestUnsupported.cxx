@@ -50,11 +50,14 @@ void CheckSelectionPass(TestChecks& checks)
   TestScene scene;
   scene.SetGrid(TestMeshes::SixTetrahedra());
   scene.Render();
+  vtkImageData* drawn = scene.Mapper->GetCapturedImage();
   vtkNew<vtkHardwareSelector> selector;
   selector->SetRenderer(scene.Renderer);
   selector->SetArea(0, 0, 127, 127);
   vtkSelection* selection = selector->Select();
-  CHECK(selection != nullptr);
+  CHECK(selection && selection->GetNumberOfNodes() == 0);
+  // No frame was drawn: the image of the last one is still there.
+  CHECK(scene.Mapper->GetCapturedImage() == drawn);
   selection->Delete();
   scene.Render();
   CHECK(scene.CenterPixel()[3] > 0.1);
