@@ -1,0 +1,75 @@
+"""What the examples share: the window, the camera, a first transfer function, the outline, the PNG."""
+
+import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (makes the classes below concrete)
+from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkIOImage import vtkPNGWriter
+from vtkmodules.vtkRenderingCore import (
+    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
+    vtkVolumeProperty, vtkWindowToImageFilter)
+
+# Share of the scalar range, red, green, blue, opacity.
+NODES = ((0.00, 0.15, 0.10, 0.75, 0.45), (0.12, 0.10, 0.45, 1.00, 0.22), (0.17, 0.25, 0.80, 0.85, 0.07),
+         (0.26, 0.55, 0.95, 0.45, 0.30), (0.40, 1.00, 0.85, 0.20, 0.60), (0.60, 1.00, 0.40, 0.10, 1.60),
+         (1.00, 0.85, 0.02, 0.05, 4.00))
+
+
+def make_property(scalar_range, length, nodes=NODES):
+    """Colours and opacities over the scalar range; opacities are per twentieth of the mesh."""
+    color, opacity = vtkColorTransferFunction(), vtkPiecewiseFunction()
+    for share, red, green, blue, alpha in nodes:
+        scalar = scalar_range[0] + share * (scalar_range[1] - scalar_range[0])
+        color.AddRGBPoint(scalar, red, green, blue)
+        opacity.AddPoint(scalar, alpha)
+    result = vtkVolumeProperty()
+    result.SetColor(color)
+    result.SetScalarOpacity(opacity)
+    result.SetScalarOpacityUnitDistance(length / 20.0)
+    result.SetInterpolationTypeToLinear()
+    return result
+
+
+def make_outline(grid):
+    """The edges of the mesh's own boundary, curved where it is."""
+    surface, edges = vtkDataSetSurfaceFilter(), vtkFeatureEdges()
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    surface.SetInputData(grid)
+    edges.SetInputConnection(surface.GetOutputPort())
+    edges.SetFeatureAngle(50.0)
+    edges.ColoringOff()
+    mapper.SetInputConnection(edges.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetColor(0.7, 0.75, 0.8)
+    return actor
+
+
+def make_window(width, height):
+    window, renderer = vtkRenderWindow(), vtkRenderer()
+    window.SetOffScreenRendering(1)
+    window.SetSize(width, height)
+    window.AddRenderer(renderer)
+    renderer.SetBackground(0.05, 0.06, 0.09)
+    return window, renderer
+
+
+def look_at(renderer, bounds, direction=(-0.9, 1.0, 0.55), zoom=1.5):
+    camera = renderer.GetActiveCamera()
+    camera.SetPosition(*direction)
+    camera.SetFocalPoint(0.0, 0.0, 0.0)
+    camera.SetViewUp(0.0, 0.0, 1.0)
+    renderer.ResetCamera(bounds)
+    camera.Zoom(zoom)
+
+
+def save(window, path):
+    """Writes the window to a PNG and returns its full path."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    grab, writer = vtkWindowToImageFilter(), vtkPNGWriter()
+    grab.SetInput(window)
+    grab.ReadFrontBufferOff()
+    writer.SetInputConnection(grab.GetOutputPort())
+    writer.SetFileName(str(path))
+    writer.Write()
+    return path.resolve()
