@@ -24,10 +24,10 @@ grid = append.GetOutput()
 low, high = grid.GetScalarRange()
 
 smooth = scene.make_property((low, high), grid.GetLength())
-
 # Thin layers: each spike is drawn at its true width, however far apart the mesh's points are.
-spikes = [(share, 1.0 - share, 0.6, share, alpha) for center in (0.13, 0.25, 0.4, 0.6)
-          for share, alpha in ((center - 0.02, 0.0), (center, 12.0), (center + 0.02, 0.0))]
+layers = ((0.13, 0.2, 0.5, 1.0), (0.25, 0.3, 0.9, 0.4), (0.4, 1.0, 0.8, 0.1), (0.6, 1.0, 0.2, 0.1))
+spikes = [(center + offset, *rgb, alpha) for center, *rgb in layers
+          for offset, alpha in ((-0.01, 0.0), (0.0, 4.0), (0.01, 0.0))]
 spiky = scene.make_property((low, high), grid.GetLength(), spikes)
 
 # ParaView's default colour space; it is refined until it is exact to 1e-4.
@@ -47,10 +47,10 @@ window.RemoveRenderer(first)
 for i, volume_property in enumerate((smooth, spiky, diverging, dense)):
     mapper = vtkPreIntegratedTetrahedraMapper()
     mapper.SetInputData(grid)
-    volume = vtkVolume()
+    volume, renderer = vtkVolume(), vtkRenderer()
     volume.SetMapper(mapper)
     volume.SetProperty(volume_property)
-    renderer = vtkRenderer()
+    renderer.SetBackground(first.GetBackground())
     renderer.SetViewport(0.5 * (i % 2), 0.5 - 0.5 * (i // 2), 0.5 + 0.5 * (i % 2), 1.0 - 0.5 * (i // 2))
     renderer.AddVolume(volume)
     scene.look_at(renderer, grid.GetBounds())

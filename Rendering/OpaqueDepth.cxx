@@ -131,6 +131,9 @@ bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], co
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   state->PushFramebufferBindings();
   {
+    // The scissor box of the viewport would cut the blit's destination, which starts at 0, 0.
+    vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+    state->vtkglDisable(GL_SCISSOR_TEST);
     ResolveTarget target(state, static_cast<GLenum>(format), size);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
     glBlitFramebuffer(origin[0], origin[1], origin[0] + size[0], origin[1] + size[1], 0, 0, size[0],

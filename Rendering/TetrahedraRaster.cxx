@@ -142,11 +142,16 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   this->NodeValues.Activate(program, "nodeValues");
   this->SetUniforms(program, view);
 
-  this->VertexArray->Bind();
+  // A core profile draws from a vertex array object only, though ours has no attributes.
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
   this->Order->Bind();
   glDrawElements(GL_POINTS, this->NumberOfDrawnCells, GL_UNSIGNED_INT, nullptr);
   this->Order->Release();
-  this->VertexArray->Release();
+  glBindVertexArray(0);
 
   for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
          &this->Planes, &this->Corners, &this->Points })
@@ -166,5 +171,9 @@ void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
     buffer->ReleaseGraphicsResources(window);
   }
   this->Order->ReleaseGraphicsResources();
-  this->VertexArray->ReleaseGraphicsResources();
+  if (this->VertexArray != 0)
+  {
+    glDeleteVertexArrays(1, &this->VertexArray);
+    this->VertexArray = 0;
+  }
 }

@@ -4,7 +4,6 @@
 #include "TextureBuffer.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
-#include "vtkOpenGLVertexArrayObject.h"
 
 #include <glm/vec4.hpp>
 
@@ -65,7 +64,7 @@ private:
   TextureBuffer NodePositions;
   TextureBuffer NodeValues;
   vtkNew<vtkOpenGLBufferObject> Order;
-  vtkNew<vtkOpenGLVertexArrayObject> VertexArray;
+  unsigned int VertexArray = 0;
   int NumberOfNodes = 0;
   int NumberOfDrawnCells = 0;
   std::string Failure;

@@ -15,9 +15,10 @@ int BlueAt(vtkRenderWindow* window, int x, int y)
   return static_cast<int>(pixel->GetComponent(0, 2));
 }
 
-void CheckTwoViewports(TestChecks& checks)
+void CheckTwoViewports(TestChecks& checks, int samples)
 {
   TestScene scene(256, 128);
+  scene.Window->SetMultiSamples(samples);
   scene.SetGrid(TestMeshes::SixTetrahedra());
   scene.SetConstant(5.0);
   scene.Color->RemoveAllPoints();
@@ -103,7 +104,8 @@ void CheckTwoWindows(TestChecks& checks)
 int TestViewports(int, char*[])
 {
   TestChecks checks;
-  CheckTwoViewports(checks);
+  CheckTwoViewports(checks, 0);
+  CheckTwoViewports(checks, 4);
   CheckTwoVolumes(checks);
   CheckTwoWindows(checks);
   return checks.Result();
