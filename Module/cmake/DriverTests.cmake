@@ -24,6 +24,7 @@ if(CELLPROJECTION_WRAP_PYTHON)
 endif()
 cellprojection_add_driver_test(InstallAndConsume
   "${CMAKE_COMMAND}" "-DBUILD=${CMAKE_BINARY_DIR}" "-DCONSUMER=${cellprojection_root}/Testing/Consumer"
+  "-DEXAMPLES=${cellprojection_root}/Examples" "-DMESH=${cellprojection_root}/Testing/Data/cubes.vtu"
   "-DSCRATCH=${scratch}/InstallAndConsume" "-DGENERATOR=${CMAKE_GENERATOR}" "-DCOMPILER=${CMAKE_CXX_COMPILER}"
   "-DCONFIG=$<CONFIG>" "-DVTK_DIR=${VTK_DIR}" ${python_arguments}
   -P "${CMAKE_CURRENT_SOURCE_DIR}/cmake/InstallAndConsume.cmake")

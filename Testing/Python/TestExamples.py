@@ -1,0 +1,43 @@
+"""Every numbered example writes a picture that is large enough and not empty; with and without data."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+def check_picture(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    image = reader.GetOutput()
+    pixels = vtk_to_numpy(image.GetPointData().GetScalars()).astype(int)
+    drawn = (abs(pixels - pixels[0]).max(axis=1) > 8).mean()
+    print(path.name, image.GetDimensions(), f"{100 * drawn:.1f} % drawn")
+    assert image.GetDimensions()[0] >= 512
+    assert drawn > 0.05, "the picture is empty"
+
+
+def run(example, folder, environment):
+    picture = pathlib.Path(folder) / (example.stem + ".png")
+    command = [sys.executable, str(example), "-o", str(picture)]
+    output = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
+    assert output.splitlines()[-1] == str(picture.resolve()), output
+    check_picture(picture)
+    return output
+
+
+examples = sorted(ROOT.glob("Examples/[0-9]*.py"))
+assert len(examples) >= 3
+without_data = dict(os.environ, CELLPROJECTION_DATA=str(ROOT / "no" / "such" / "folder"))
+with tempfile.TemporaryDirectory() as folder:
+    for example in examples:
+        assert len(example.read_text().splitlines()) < 60, example
+        run(example, folder, os.environ)
+    assert "generated" in run(examples[0], folder, without_data)
