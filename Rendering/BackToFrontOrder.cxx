@@ -53,11 +53,9 @@ bool BackToFrontOrder::Update(
   {
     return false;
   }
-  // A matrix of our own: the volume's would hand its later changes to the sort.
-  this->Matrix->DeepCopy(frame.Volume->GetMatrix());
   sort->SetInput(cells);
   sort->SetDirectionToBackToFront();
-  sort->SetModelTransform(this->Matrix);
+  sort->SetModelTransform(frame.Volume->GetMatrix());
   sort->SetCamera(frame.Renderer->GetActiveCamera());
   sort->SetMaxCellsReturned(BatchSize);
   this->Collect(sort, cells->GetNumberOfCells());
@@ -76,7 +74,9 @@ void BackToFrontOrder::Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells)
   this->Cells.reserve(seen.size());
   this->NumberOfWrongIds = 0;
   sort->InitTraversal();
-  for (vtkIdTypeArray* batch = sort->GetNextCells(); batch; batch = sort->GetNextCells())
+  // A sort that never ends repeats itself.
+  for (vtkIdTypeArray* batch = sort->GetNextCells();
+       batch && this->NumberOfWrongIds <= numberOfCells; batch = sort->GetNextCells())
   {
     for (vtkIdType i = 0; i < batch->GetNumberOfTuples(); ++i)
     {

@@ -1,8 +1,6 @@
 #ifndef BackToFrontOrder_h
 #define BackToFrontOrder_h
 
-#include "vtkMatrix4x4.h"
-#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
@@ -40,7 +38,6 @@ private:
   vtkVisibilitySort* Choose(vtkVisibilitySort* sort);
 
   vtkSmartPointer<vtkVisibilitySort> Default;
-  vtkNew<vtkMatrix4x4> Matrix;
   vtkVisibilitySort* SeenSort = nullptr;
   vtkMTimeType SeenSortTime = 0;
   vtkMTimeType SeenCells = 0;

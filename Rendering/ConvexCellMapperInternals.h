@@ -14,8 +14,23 @@
 #include "vtkTable.h"
 #include "vtkWeakPointer.h"
 
+#include <array>
 #include <set>
 #include <string>
+
+/// What decides the normalised scalars, their values and the cells apart.
+struct ScalarSource
+{
+  const vtkDataArray* Array = nullptr;
+  int Component = 0;
+  std::array<double, 2> Limits{ { 0.0, 0.0 } };
+
+  bool operator==(const ScalarSource& other) const
+  {
+    return this->Array == other.Array && this->Component == other.Component &&
+           this->Limits == other.Limits;
+  }
+};
 
 /// What vtkConvexCellMapper keeps from frame to frame.
 class vtkConvexCellMapper::Internals
@@ -26,7 +41,8 @@ public:
   vtkMTimeType SeenCells = 0;
   // What the transfer function was read from: another property may be older than the last one.
   const void* SeenProperty = nullptr;
-  int SeenComponent = 0;
+  // What the scalars were built from.
+  ScalarSource SeenSource;
 
   OpaqueDepth Depth;
   FloatTarget Target;

@@ -2,7 +2,10 @@
 
 #include "vtkAbstractMapper.h"
 #include "vtkAbstractVolumeMapper.h"
+#include "vtkCellData.h"
 #include "vtkDataArray.h"
+#include "vtkDataSet.h"
+#include "vtkPointData.h"
 
 //------------------------------------------------------------------------------
 ScalarChoice::ScalarChoice(vtkAbstractVolumeMapper* mapper, vtkDataSet* data)
@@ -19,6 +22,18 @@ ScalarChoice::ScalarChoice(vtkAbstractVolumeMapper* mapper, vtkDataSet* data)
   if (!this->Array)
   {
     this->Describe(mapper);
+    return;
+  }
+  const vtkIdType tuples = this->Array->GetNumberOfTuples();
+  const vtkIdType expected =
+    this->OnePerCell ? data->GetNumberOfCells() : data->GetNumberOfPoints();
+  if (tuples != expected)
+  {
+    const std::string name = this->Array->GetName() ? this->Array->GetName() : "(without a name)";
+    this->Problem = "array " + name + " has " + std::to_string(tuples) + " tuples for " +
+                    std::to_string(expected) + (this->OnePerCell ? " cells" : " points") +
+                    "; it must have one for each.";
+    this->Array = nullptr;
   }
 }
 
@@ -41,4 +56,17 @@ void ScalarChoice::Describe(vtkAbstractVolumeMapper* mapper)
   this->Problem = std::string("the ") + (ofCells ? "cell" : "point") +
                   " data of the input have no array " + name +
                   "; call SelectScalarArray with one they have.";
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* ScalarChoice::FindIn(vtkDataSet* made, vtkAbstractVolumeMapper* mapper) const
+{
+  const char* name = this->Array ? this->Array->GetName() : nullptr;
+  if (!name)
+  {
+    return ScalarChoice(mapper, made).Array;
+  }
+  // By name: numbers move where an array of the wrong length was left behind.
+  return this->OnePerCell ? made->GetCellData()->GetArray(name)
+                          : made->GetPointData()->GetArray(name);
 }

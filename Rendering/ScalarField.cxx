@@ -49,12 +49,18 @@ void ScalarField::FindRange(vtkDataArray* array, int component)
 }
 
 //------------------------------------------------------------------------------
-void ScalarField::Build(vtkDataArray* array, int component, bool onePerCell)
+void ScalarField::Build(vtkDataArray* array, int component, bool onePerCell, const double limits[2])
 {
   this->OnePerCell = onePerCell;
   this->FindRange(array, component);
-  const double low = this->Range[0];
-  const double width = this->Range[1] - low;
+  this->Normal[0] = std::max(this->Range[0], limits[0]);
+  this->Normal[1] = std::min(this->Range[1], limits[1]);
+  if (!(this->Normal[0] < this->Normal[1]))
+  {
+    std::copy_n(this->Range, 2, this->Normal);
+  }
+  const double low = this->Normal[0];
+  const double width = this->Normal[1] - low;
   this->Values.resize(static_cast<size_t>(array->GetNumberOfTuples()));
   vtkSMPTools::For(0, array->GetNumberOfTuples(),
     [&](vtkIdType begin, vtkIdType end)

@@ -5,9 +5,15 @@
 
 namespace
 {
-// Intervals are not halved below 2^-16 of their width: a float position would not tell the halves
-// apart.
-constexpr int MaximumDepth = 16;
+// Bisection ends where float positions do not tell the halves apart, or at the latest after this
+// many.
+constexpr int MaximumDepth = 60;
+
+// In units of the range: no scalar lies farther out.
+constexpr double Beyond = 1e30;
+
+// Times any length that a mesh can have, it stays within the range of a float.
+constexpr double MaximumExtinction = 1e18;
 
 double Difference(const TransferFunction::Sample& a, const TransferFunction::Sample& b)
 {
@@ -33,7 +39,7 @@ TransferFunction::Sample Mix(
 
 //------------------------------------------------------------------------------
 void TransferFunction::Build(std::vector<double> candidates, const Evaluator& evaluate,
-  const double range[2], double unitDistance)
+  const double range[2], const double extremes[2], double unitDistance)
 {
   const double low = range[0];
   const double high = range[1];
@@ -48,12 +54,18 @@ void TransferFunction::Build(std::vector<double> candidates, const Evaluator& ev
   // One-sided limits are taken just beside a candidate, farther than its own rounding.
   const double magnitude = std::max(std::abs(low), std::abs(high));
   const double step = std::max(1e-11 * (high - low), 1e-15 * magnitude);
-  this->Nodes.clear();
+  this->Low = low;
+  this->Width = high > low ? high - low : 1.0;
+  const Sample below = evaluate(extremes[0]);
+  const Sample above = evaluate(extremes[1]);
+  this->Nodes = { { low - Beyond * this->Width, below }, { low, below } };
   for (size_t i = 0; i < candidates.size(); ++i)
   {
     this->AppendJoint(candidates[i], step, i == 0, i + 1 == candidates.size(), evaluate);
   }
-  this->Store(range, unitDistance);
+  this->Nodes.push_back({ high, above });
+  this->Nodes.push_back({ high + Beyond * this->Width, above });
+  this->Store(unitDistance);
   this->CountVisible();
 }
 
@@ -86,7 +98,9 @@ void TransferFunction::Refine(
     const Sample chord = Mix(low.Value, high.Value, weight);
     error = std::max(error, Difference(chord, evaluate(scalarAt(weight))));
   }
-  if (depth >= MaximumDepth || !(error > Tolerance))
+  const double width = high.Scalar - low.Scalar;
+  const double resolution = 1e-7 * std::max(low.Scalar - this->Low, 1e-30 * this->Width);
+  if (depth >= MaximumDepth || width <= resolution || !(error > Tolerance))
   {
     return;
   }
@@ -97,28 +111,19 @@ void TransferFunction::Refine(
 }
 
 //------------------------------------------------------------------------------
-void TransferFunction::Store(const double range[2], double unitDistance)
+void TransferFunction::Store(double unitDistance)
 {
-  const double width = range[1] - range[0];
   this->Positions.clear();
   this->Values.clear();
   for (const Node& node : this->Nodes)
   {
-    const double position = width > 0.0 ? (node.Scalar - range[0]) / width : 0.0;
-    this->Positions.push_back(static_cast<float>(position));
+    this->Positions.push_back(static_cast<float>((node.Scalar - this->Low) / this->Width));
     for (int i = 0; i < 3; ++i)
     {
       this->Values.push_back(static_cast<float>(node.Value[i]));
     }
-    this->Values.push_back(static_cast<float>(std::max(node.Value[3], 0.0) / unitDistance));
-  }
-  if (this->Positions.size() == 1)
-  {
-    // A constant field still needs one interval.
-    this->Positions.push_back(1.0f);
-    const std::array<float, 4> only{ this->Values[0], this->Values[1], this->Values[2],
-      this->Values[3] };
-    this->Values.insert(this->Values.end(), only.begin(), only.end());
+    const double extinction = std::max(node.Value[3], 0.0) / unitDistance;
+    this->Values.push_back(static_cast<float>(std::min(extinction, MaximumExtinction)));
   }
 }
 

@@ -29,9 +29,10 @@ public:
   /// Largest difference to the function that is represented, in colour and opacity.
   static constexpr double Tolerance = 1e-4;
 
-  /// `candidates`: scalars where the function may bend or jump, in any order.
+  /// `candidates`: scalars where the function may bend or jump, in any order. `range`: what 0 and 1
+  /// stand for; `extremes`: the least and the greatest scalar, beyond the range or its ends.
   void Build(std::vector<double> candidates, const Evaluator& evaluate, const double range[2],
-    double unitDistance);
+    const double extremes[2], double unitDistance);
 
   /// True where the extinction is zero on the whole normalised interval.
   bool IsTransparent(float low, float high) const;
@@ -49,9 +50,12 @@ private:
 
   void AppendJoint(double scalar, double step, bool first, bool last, const Evaluator& evaluate);
   void Refine(const Node& low, const Node& high, int depth, const Evaluator& evaluate);
-  void Store(const double range[2], double unitDistance);
+  void Store(double unitDistance);
   void CountVisible();
 
+  // The range that positions count from.
+  double Low = 0.0;
+  double Width = 0.0;
   std::vector<Node> Nodes;
   std::vector<float> Positions;
   std::vector<float> Values;

@@ -21,17 +21,40 @@ glm::dvec3 Unproject(const glm::dmat4& clipToView, double x, double y, double z)
   return glm::dvec3(point) / point.w;
 }
 
-ViewRay RayThrough(const glm::dmat4& clipToView, const glm::dvec2& clip, bool perspective)
+ViewRay RayThrough(const glm::dmat4& clipToView, const glm::dvec2& clip)
 {
   const glm::dvec3 nearPoint = Unproject(clipToView, clip.x, clip.y, -1.0);
-  if (perspective)
+  // Where all rays meet; stereo and shear move it away from the view's origin.
+  const glm::dvec4 eye = clipToView * glm::dvec4(0.0, 0.0, 1.0, 0.0);
+  if (eye.w != 0.0)
   {
-    return { glm::dvec3(0.0), nearPoint / -nearPoint.z };
+    const glm::dvec3 origin = glm::dvec3(eye) / eye.w;
+    const glm::dvec3 along = nearPoint - origin;
+    const glm::dvec3 direction = along / -along.z;
+    return { origin + origin.z * direction, direction };
   }
   const glm::dvec3 farPoint = Unproject(clipToView, clip.x, clip.y, 1.0);
   const glm::dvec3 along = farPoint - nearPoint;
   const glm::dvec3 direction = along / -along.z;
   return { nearPoint + nearPoint.z * direction, direction };
+}
+
+// What the shaders need of the ray through one pixel.
+struct RayAt
+{
+  glm::dvec3 Point;
+  glm::dvec3 Direction;
+  glm::dvec3 World;
+  glm::dvec4 View;
+};
+
+template <class Single, class Double>
+void SetLinear(Single (&linear)[3], const Double& here, const Double& right, const Double& above,
+  const glm::dvec2& size)
+{
+  linear[0] = Single(here);
+  linear[1] = Single((right - here) / size.x);
+  linear[2] = Single((above - here) / size.y);
 }
 
 bool IsInvertible(const glm::dmat4& matrix)
@@ -80,37 +103,28 @@ void ViewRays::SetDepths(const Transforms& transforms, const glm::dmat4& clipToV
 //------------------------------------------------------------------------------
 void ViewRays::SetRays(const Transforms& transforms, const glm::dmat4& clipToView)
 {
-  const bool perspective = transforms.ViewToClip[2][3] != 0.0;
   const glm::dvec2 size(transforms.Width, transforms.Height);
   const glm::dvec2 middle = glm::floor(0.5 * size);
-  auto rayAt = [&](const glm::dvec2& pixel)
-  { return RayThrough(clipToView, 2.0 * pixel / size - 1.0, perspective); };
-  const ViewRay ray = rayAt(middle);
   // Rays are linear in the pixel, so a step over the whole viewport gives the slope to full
   // precision.
-  const ViewRay rayX = rayAt(middle + glm::dvec2(size.x, 0.0));
-  const ViewRay rayY = rayAt(middle + glm::dvec2(0.0, size.y));
-
+  const glm::dvec2 pixels[3] = { middle, middle + glm::dvec2(size.x, 0.0),
+    middle + glm::dvec2(0.0, size.y) };
+  const glm::dmat4 viewToWorld = glm::inverse(transforms.WorldToView);
   const glm::dmat4 viewToData = glm::inverse(transforms.WorldToView * transforms.DataToWorld);
-  auto pointOf = [&](const ViewRay& r) { return r.Origin + this->Reference * r.Direction; };
-  auto meshPoint = [&](const ViewRay& r)
-  {
-    const glm::dvec3 data(viewToData * glm::dvec4(pointOf(r), 1.0));
-    return (data - transforms.Center) / transforms.Scale;
-  };
-  auto meshDirection = [&](const ViewRay& r)
-  { return glm::dvec3(viewToData * glm::dvec4(r.Direction, 0.0)) / transforms.Scale; };
-  auto view = [&](const ViewRay& r)
-  { return glm::dvec4(glm::dvec2(pointOf(r)), glm::dvec2(r.Direction)); };
-
   this->Pixel = glm::vec2(middle);
-  this->Point = glm::vec3(meshPoint(ray));
-  this->PointX = glm::vec3((meshPoint(rayX) - meshPoint(ray)) / size.x);
-  this->PointY = glm::vec3((meshPoint(rayY) - meshPoint(ray)) / size.y);
-  this->Direction = glm::vec3(meshDirection(ray));
-  this->DirectionX = glm::vec3((meshDirection(rayX) - meshDirection(ray)) / size.x);
-  this->DirectionY = glm::vec3((meshDirection(rayY) - meshDirection(ray)) / size.y);
-  this->View = glm::vec4(view(ray));
-  this->ViewX = glm::vec4((view(rayX) - view(ray)) / size.x);
-  this->ViewY = glm::vec4((view(rayY) - view(ray)) / size.y);
+  RayAt at[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    const ViewRay ray = RayThrough(clipToView, 2.0 * pixels[i] / size - 1.0);
+    const glm::dvec3 point = ray.Origin + this->Reference * ray.Direction;
+    const glm::dvec3 data(viewToData * glm::dvec4(point, 1.0));
+    at[i].Point = (data - transforms.Center) / transforms.Scale;
+    at[i].Direction = glm::dvec3(viewToData * glm::dvec4(ray.Direction, 0.0)) / transforms.Scale;
+    at[i].World = glm::dvec3(viewToWorld * glm::dvec4(ray.Direction, 0.0));
+    at[i].View = glm::dvec4(glm::dvec2(point), glm::dvec2(ray.Direction));
+  }
+  SetLinear(this->Point, at[0].Point, at[1].Point, at[2].Point, size);
+  SetLinear(this->Direction, at[0].Direction, at[1].Direction, at[2].Direction, size);
+  SetLinear(this->World, at[0].World, at[1].World, at[2].World, size);
+  SetLinear(this->View, at[0].View, at[1].View, at[2].View, size);
 }

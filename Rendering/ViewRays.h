@@ -19,12 +19,10 @@
  * gl_FragCoord within the viewport. All members are evaluated in double and rounded once, so that
  * every cell sees the same ray, and distances inside the mesh do not lose digits to a distant eye.
  *
- *     point(pixel)     = Point + (pixel - Pixel).x PointX + (pixel - Pixel).y PointY
- *     direction(pixel) = Direction + (pixel - Pixel).x DirectionX + (pixel - Pixel).y DirectionY
- *     view(pixel)      likewise: x and y of the same point and direction in view coordinates
+ *     point(pixel) = Point[0] + (pixel - Pixel).x Point[1] + (pixel - Pixel).y Point[2]
  *
- * World length of a piece: its depth times the length of (view direction, -1); a rigid view
- * transformation is assumed, the actor's matrix may be any invertible one.
+ * likewise the direction, and both in view coordinates. World is the direction in the world: the
+ * world length of a piece is its depth times the length of that.
  */
 class ViewRays
 {
@@ -45,10 +43,11 @@ public:
   bool Build(const Transforms& transforms);
 
   glm::vec2 Pixel{ 0.0f };
-  glm::vec3 Point{ 0.0f }, PointX{ 0.0f }, PointY{ 0.0f };
-  glm::vec3 Direction{ 0.0f }, DirectionX{ 0.0f }, DirectionY{ 0.0f };
+  glm::vec3 Point[3];
+  glm::vec3 Direction[3];
+  glm::vec3 World[3];
   /// xy: point, zw: direction.
-  glm::vec4 View{ 0.0f }, ViewX{ 0.0f }, ViewY{ 0.0f };
+  glm::vec4 View[3];
   /// Depth of the reference plane, of the near and of the far plane from the eye.
   double Reference = 0.0, Near = 0.0, Far = 0.0;
   /// Window depth z to depth from the reference: (x + y z) / (z + w z).

@@ -91,14 +91,23 @@ double VolumePropertyReader::CheckUnitDistance(std::vector<std::string>& problem
 }
 
 //------------------------------------------------------------------------------
-void VolumePropertyReader::Read(
-  const double range[2], TransferFunction& function, std::vector<std::string>& problems)
+std::array<double, 2> VolumePropertyReader::FindLimits() const
+{
+  const std::vector<double> candidates = this->FindCandidates();
+  const auto ends = std::minmax_element(candidates.begin(), candidates.end());
+  return candidates.empty() ? std::array<double, 2>{ { 0.0, 0.0 } }
+                            : std::array<double, 2>{ { *ends.first, *ends.second } };
+}
+
+//------------------------------------------------------------------------------
+void VolumePropertyReader::Read(const double range[2], const double extremes[2],
+  TransferFunction& function, std::vector<std::string>& problems)
 {
   this->CheckFunctions(problems);
   const double distance = this->CheckUnitDistance(problems);
   function.Build(
     this->FindCandidates(), [this](double scalar) { return this->Evaluate(scalar); }, range,
-    distance);
+    extremes, distance);
 }
 
 //------------------------------------------------------------------------------
@@ -153,7 +162,8 @@ int VolumePropertyReader::ChooseComponent(int numberOfComponents) const
 }
 
 //------------------------------------------------------------------------------
-std::vector<std::string> VolumePropertyReader::FindUnsupported(int numberOfComponents) const
+std::vector<std::string> VolumePropertyReader::FindUnsupported(
+  int numberOfComponents, bool onePerCell) const
 {
   std::vector<std::string> unsupported;
   if (this->Property->GetShade())
@@ -165,7 +175,7 @@ std::vector<std::string> VolumePropertyReader::FindUnsupported(int numberOfCompo
     unsupported.emplace_back("A gradient opacity function is set: it is not applied; call "
                              "DisableGradientOpacityOn().");
   }
-  if (this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
+  if (!onePerCell && this->Property->GetInterpolationType() == VTK_NEAREST_INTERPOLATION)
   {
     unsupported.emplace_back("Interpolation is nearest, the property's default: point scalars are "
                              "drawn linear; call SetInterpolationTypeToLinear().");

@@ -3,6 +3,7 @@
 
 #include "TransferFunction.h"
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,12 +18,17 @@ class VolumePropertyReader
 public:
   explicit VolumePropertyReader(vtkVolumeProperty* property);
 
-  /// Builds `function` over `range`. Problems with the property (a function without points, a unit
-  /// distance of zero) are appended to `problems`, one sentence each, with what was drawn instead.
-  void Read(const double range[2], TransferFunction& function, std::vector<std::string>& problems);
+  /// Between these scalars the functions change; beyond they are constant.
+  std::array<double, 2> FindLimits() const;
+
+  /// Builds `function` for scalars normalised over `range`, `extremes` the least and greatest.
+  /// Problems with the property (a function without points, a unit distance of zero) are appended
+  /// to `problems`, one sentence each, with what was drawn instead.
+  void Read(const double range[2], const double extremes[2], TransferFunction& function,
+    std::vector<std::string>& problems);
 
   /// What the property asks for and composite projection of tetrahedra does not draw.
-  std::vector<std::string> FindUnsupported(int numberOfComponents) const;
+  std::vector<std::string> FindUnsupported(int numberOfComponents, bool onePerCell) const;
 
   /// Which of an array's components the property wants; -1 is the magnitude.
   int ChooseComponent(int numberOfComponents) const;

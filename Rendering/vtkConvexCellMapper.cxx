@@ -1,5 +1,6 @@
 #include "vtkConvexCellMapper.h"
 
+#include "BlendModeAdvice.h"
 #include "ConvexCellMapperInternals.h"
 #include "PremultipliedBlending.h"
 #include "RayUniforms.h"
@@ -14,27 +15,6 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
-
-namespace
-{
-const char* MapperForBlendMode(int mode)
-{
-  switch (mode)
-  {
-    case vtkConvexCellMapper::COMPOSITE:
-      return "use vtkPreIntegratedTetrahedraMapper";
-    case vtkConvexCellMapper::MAXIMUM_INTENSITY:
-    case vtkConvexCellMapper::MINIMUM_INTENSITY:
-      return "use vtkMaximumProjectionMapper";
-    case vtkConvexCellMapper::ADDITIVE:
-      return "use vtkProjectedPolyhedraMapper";
-    case vtkConvexCellMapper::ISOSURFACE:
-      return "use vtkBarycentricShellMapper";
-    default:
-      return "the modes are 0, 1, 2, 4 and 5";
-  }
-}
-}
 
 //------------------------------------------------------------------------------
 vtkConvexCellMapper::vtkConvexCellMapper()
@@ -73,36 +53,66 @@ bool vtkConvexCellMapper::BeginFrame(
   {
     return false;
   }
-  this->Internal->Captured = nullptr;
   frame.Renderer = renderer;
   frame.Volume = volume;
-  frame.Window = vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow());
   frame.Statistics.Method = this->GetMethodName();
   frame.Statistics.Engine = "Raster";
-  renderer->GetTiledSizeAndOrigin(
-    &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
-  if (!frame.Window)
+  this->Internal->Captured = nullptr;
+  this->Internal->Statistics = frame.Statistics;
+  if (this->Engine == TILES)
+  {
+    this->WarnOnce("The Tiles engine is not part of this version: drawn by Raster.");
+  }
+  return this->CheckRenderer(renderer) && this->EnterWindow(frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::CheckRenderer(vtkRenderer* renderer)
+{
+  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
   {
     this->FailOnce("The renderer has no OpenGL window: nothing is drawn.");
     return false;
   }
+  if (renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
+  {
+    this->FailOnce("Volumes are not depth peeled: call UseDepthPeelingForVolumesOff() on the "
+                   "renderer; nothing is drawn.");
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
+{
+  frame.Window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
+  frame.Renderer->GetTiledSizeAndOrigin(
+    &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
   if (frame.Size[0] <= 0 || frame.Size[1] <= 0)
   {
     this->WarnOnce("The viewport has " + std::to_string(frame.Size[0]) + "x" +
                    std::to_string(frame.Size[1]) + " pixels: nothing is drawn.");
     return false;
   }
-  if (this->Internal->Window && this->Internal->Window != frame.Window)
+  if (this->Internal->Window != frame.Window)
   {
-    this->ReleaseGraphicsResources(this->Internal->Window);
+    this->LeaveWindow();
     frame.Window->MakeCurrent();
   }
   this->Internal->Window = frame.Window;
-  if (this->Engine == TILES)
-  {
-    this->WarnOnce("The Tiles engine is not part of this version: drawn by Raster.");
-  }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::LeaveWindow()
+{
+  // GL names mean something in their own context only: in another they name what others made.
+  if (this->Internal->Window)
+  {
+    this->Internal->Window->MakeCurrent();
+    this->ReleaseGraphicsResources(this->Internal->Window);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -156,44 +166,50 @@ bool vtkConvexCellMapper::CheckInput()
 bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
-  const ScalarChoice choice(this, this->Internal->Prepared.Cells);
-  vtkDataArray* array = choice.Array;
-  if (!array)
+  Internals& internal = *this->Internal;
+  PreparedVolume& prepared = internal.Prepared;
+  const ScalarChoice choice(this, this->GetInput());
+  if (!choice.Array)
   {
     this->FailOnce("No scalars: " + choice.Problem);
     return false;
   }
   VolumePropertyReader reader(frame.Volume->GetProperty());
-  for (const std::string& text : reader.FindUnsupported(array->GetNumberOfComponents()))
+  const int components = choice.Array->GetNumberOfComponents();
+  for (const std::string& text : reader.FindUnsupported(components, choice.OnePerCell))
   {
     this->WarnOnce(text);
   }
-  const int component = reader.ChooseComponent(array->GetNumberOfComponents());
-  PreparedVolume& prepared = this->Internal->Prepared;
-  const vtkMTimeType built = prepared.ScalarsTime;
-  if (built < prepared.CellsTime || built < this->GetMTime() ||
-      component != this->Internal->SeenComponent)
+  // The cells' own copy of the array: points merge, cells are cut up.
+  vtkDataArray* array = choice.FindIn(prepared.Cells, this);
+  if (!array)
   {
-    this->Internal->SeenComponent = component;
-    prepared.Scalars.Build(array, component, choice.OnePerCell);
+    return false;
+  }
+  const ScalarSource source{ array, reader.ChooseComponent(components), reader.FindLimits() };
+  if (prepared.ScalarsTime < prepared.CellsTime || prepared.ScalarsTime < array->GetMTime() ||
+      !(source == internal.SeenSource))
+  {
+    internal.SeenSource = source;
+    prepared.Scalars.Build(array, source.Component, choice.OnePerCell, source.Limits.data());
     prepared.ScalarsTime.Modified();
   }
-  return this->CheckScalars(array, choice.OnePerCell);
+  this->ReportScalars(array);
+  return true;
 }
 
 //------------------------------------------------------------------------------
-bool vtkConvexCellMapper::CheckScalars(vtkDataArray* array, bool onePerCell)
+void vtkConvexCellMapper::ReportScalars(vtkDataArray* array)
 {
-  const vtkIdType offenders = this->Internal->Prepared.Scalars.NumberOfNonFiniteValues;
-  if (offenders == 0)
+  const ScalarField& scalars = this->Internal->Prepared.Scalars;
+  if (scalars.NumberOfNonFiniteValues > 0)
   {
-    return true;
+    const std::string name = array->GetName() ? array->GetName() : "(without a name)";
+    this->WarnOnce(
+      "Array " + name + " holds " + std::to_string(scalars.NumberOfNonFiniteValues) + " of " +
+      std::to_string(array->GetNumberOfTuples()) + " values that are not finite: " +
+      (scalars.OnePerCell ? "these cells" : "the cells at these points") + " are skipped.");
   }
-  const std::string name = array->GetName() ? array->GetName() : "(without a name)";
-  this->WarnOnce("Array " + name + " holds " + std::to_string(offenders) + " of " +
-                 std::to_string(array->GetNumberOfTuples()) + " values that are not finite: " +
-                 (onePerCell ? "these cells" : "the cells at these points") + " are skipped.");
-  return offenders < array->GetNumberOfTuples();
 }
 
 //------------------------------------------------------------------------------
@@ -210,7 +226,7 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
   }
   std::vector<std::string> problems;
   VolumePropertyReader reader(property);
-  reader.Read(prepared.Scalars.Range, prepared.Function, problems);
+  reader.Read(prepared.Scalars.Normal, prepared.Scalars.Range, prepared.Function, problems);
   for (const std::string& text : problems)
   {
     this->WarnOnce(text);
@@ -291,7 +307,7 @@ void vtkConvexCellMapper::SetBlendMode(int mode)
     return;
   }
   vtkErrorMacro(
-    "Blend mode " << mode << " is not drawn by this mapper: " << MapperForBlendMode(mode) << ".");
+    "Blend mode " << mode << " is not drawn by this mapper: " << BlendModeAdvice(mode) << ".");
 }
 
 //------------------------------------------------------------------------------

@@ -101,14 +101,15 @@ public:
 
   /**
    * One row about the last frame. Columns: Method, Engine, CellsIn (of the input), CellsDrawn
-   * (projected: tetrahedra where the method cuts cells up), CellsSkippedTransparent,
-   * CellsSkippedInvalid, CellsSkippedOutside, Cycles, MisorderedFaces, RepairedPixels,
+   * (projected: tetrahedra where the method cuts cells up), CellsSkippedTransparent (likewise),
+   * CellsSkippedInvalid (cells of the input that are no cells to draw, plus projected ones with a
+   * scalar that is not finite), CellsSkippedOutside, Cycles, MisorderedFaces, RepairedPixels,
    * SecondsPrepare, SecondsSort, SecondsProject (until the driver is done), SecondsBlend. What a
    * method does not have is 0.
    */
   vtkTable* GetLastStatistics();
 
-  /// True where the window's driver can draw this mapper: OpenGL 3.2 with float targets.
+  /// True where the window has OpenGL 3.2; whether it renders to floats shows in the first frame.
   static bool IsSupported(vtkRenderWindow* window);
 
   using vtkUnstructuredGridVolumeMapper::Update;
@@ -147,6 +148,10 @@ protected:
   void FailOnce(const std::string& text);
   ///@}
 
+  /// Releases what the GPU holds, in its own window's context. Subclasses call it in their
+  /// destructor.
+  void LeaveWindow();
+
   int FillInputPortInformation(int port, vtkInformation* info) override;
 
   int Engine = AUTOMATIC;
@@ -157,6 +162,8 @@ private:
   void operator=(const vtkConvexCellMapper&) = delete;
 
   bool BeginFrame(vtkRenderer* renderer, vtkVolume* volume, CellProjectionFrame& frame);
+  bool CheckRenderer(vtkRenderer* renderer);
+  bool EnterWindow(CellProjectionFrame& frame);
   bool PrepareCells(CellProjectionFrame& frame);
   bool PrepareScalars(CellProjectionFrame& frame);
   void PrepareTransferFunction(CellProjectionFrame& frame);
@@ -166,7 +173,7 @@ private:
   void EndFrame(CellProjectionFrame& frame);
 
   bool CheckInput();
-  bool CheckScalars(vtkDataArray* array, bool onePerCell);
+  void ReportScalars(vtkDataArray* array);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

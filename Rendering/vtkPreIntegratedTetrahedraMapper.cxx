@@ -28,7 +28,7 @@ public:
   vtkTimeStamp DrawnOrderTime;
 
   // When the GPU's copies were made; a default stamp is older than everything.
-  vtkTimeStamp PointsUploaded;
+  vtkTimeStamp CellsUploaded;
   vtkTimeStamp ScalarsUploaded;
   vtkTimeStamp FunctionUploaded;
   vtkTimeStamp OrderUploaded;
@@ -41,7 +41,10 @@ vtkPreIntegratedTetrahedraMapper::vtkPreIntegratedTetrahedraMapper()
 }
 
 //------------------------------------------------------------------------------
-vtkPreIntegratedTetrahedraMapper::~vtkPreIntegratedTetrahedraMapper() = default;
+vtkPreIntegratedTetrahedraMapper::~vtkPreIntegratedTetrahedraMapper()
+{
+  this->LeaveWindow();
+}
 
 //------------------------------------------------------------------------------
 void vtkPreIntegratedTetrahedraMapper::SetVisibilitySort(vtkVisibilitySort* sort)
@@ -103,44 +106,71 @@ void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPreIntegratedTetrahedraMapper::Upload(CellProjectionFrame& frame)
+bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const MeshCoordinates& coordinates = this->GetPreparedVolume().Coordinates;
+  const std::vector<int>& corners = internal.Selection.Corners;
+  if (internal.CellsUploaded > internal.CornersTime)
+  {
+    return true;
+  }
+  const bool good = internal.Raster.UploadPoints(frame.Window, coordinates.Points) &&
+                    internal.Raster.UploadCorners(frame.Window, corners) &&
+                    internal.Raster.UploadPlanes(
+                      frame.Window, TetrahedraPlanes::Planes(coordinates.Points, corners));
+  // Stamped where it worked only: the next frame tries again, and draws nothing that is not there.
+  if (good)
+  {
+    internal.CellsUploaded.Modified();
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::UploadField(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  TetrahedraRaster& raster = internal.Raster;
   bool good = true;
-  if (internal.PointsUploaded < internal.CornersTime)
+  if (internal.ScalarsUploaded < prepared.ScalarsTime)
   {
-    good = raster.UploadPoints(frame.Window, prepared.Coordinates.Points) &&
-           raster.UploadCorners(frame.Window, internal.Selection.Corners) &&
-           raster.UploadPlanes(frame.Window,
-             TetrahedraPlanes::Planes(prepared.Coordinates.Points, internal.Selection.Corners));
-    internal.PointsUploaded.Modified();
-  }
-  if (good && internal.ScalarsUploaded < prepared.ScalarsTime)
-  {
-    good = raster.UploadScalars(
+    good = internal.Raster.UploadScalars(
       frame.Window, TetrahedraPlanes::Scalars(prepared.Scalars, internal.Selection.Corners));
-    internal.ScalarsUploaded.Modified();
   }
   if (good && internal.FunctionUploaded < prepared.FunctionTime)
   {
-    good = raster.UploadTransferFunction(frame.Window, prepared.Function);
+    good = internal.Raster.UploadTransferFunction(frame.Window, prepared.Function);
+  }
+  if (good)
+  {
+    internal.ScalarsUploaded.Modified();
     internal.FunctionUploaded.Modified();
   }
-  if (good && (internal.OrderUploaded < internal.DrawnOrderTime ||
-                internal.OrderUploaded < internal.SelectionTime))
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::UploadOrder(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  if (internal.OrderUploaded > internal.DrawnOrderTime &&
+      internal.OrderUploaded > internal.SelectionTime)
   {
-    std::vector<unsigned int> drawn;
-    drawn.reserve(static_cast<size_t>(frame.Statistics.CellsDrawn));
-    for (const vtkIdType cell : internal.Order.Cells)
+    return true;
+  }
+  std::vector<unsigned int> drawn;
+  drawn.reserve(static_cast<size_t>(frame.Statistics.CellsDrawn));
+  for (const vtkIdType cell : internal.Order.Cells)
+  {
+    if (internal.Selection.IsDrawn(cell))
     {
-      if (internal.Selection.IsDrawn(cell))
-      {
-        drawn.push_back(static_cast<unsigned int>(cell));
-      }
+      drawn.push_back(static_cast<unsigned int>(cell));
     }
-    good = raster.UploadOrder(drawn);
+  }
+  const bool good = internal.Raster.UploadOrder(drawn);
+  if (good)
+  {
     internal.OrderUploaded.Modified();
   }
   return good;
@@ -156,11 +186,13 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   view.Width = frame.Size[0];
   view.Height = frame.Size[1];
   TetrahedraRaster& raster = this->Internal->Raster;
-  if (this->Upload(frame) && raster.Draw(frame.Window, view))
+  if (this->UploadCells(frame) && this->UploadField(frame) && this->UploadOrder(frame) &&
+      raster.Draw(frame.Window, view))
   {
     return true;
   }
-  this->FailOnce("The tetrahedra cannot be drawn: " + raster.GetFailure() + ".");
+  this->FailOnce(std::to_string(this->Internal->Selection.GetNumberOfCells()) +
+                 " tetrahedra cannot be drawn: " + raster.GetFailure() + "; draw fewer cells.");
   return false;
 }
 
@@ -169,7 +201,7 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* windo
 {
   Internals& internal = *this->Internal;
   internal.Raster.ReleaseGraphicsResources(window);
-  internal.PointsUploaded = vtkTimeStamp();
+  internal.CellsUploaded = vtkTimeStamp();
   internal.ScalarsUploaded = vtkTimeStamp();
   internal.FunctionUploaded = vtkTimeStamp();
   internal.OrderUploaded = vtkTimeStamp();

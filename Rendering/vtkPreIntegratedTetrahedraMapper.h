@@ -59,7 +59,9 @@ private:
   void operator=(const vtkPreIntegratedTetrahedraMapper&) = delete;
 
   void PrepareTetrahedra(CellProjectionFrame& frame);
-  bool Upload(CellProjectionFrame& frame);
+  bool UploadCells(CellProjectionFrame& frame);
+  bool UploadField(CellProjectionFrame& frame);
+  bool UploadOrder(CellProjectionFrame& frame);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -2,6 +2,7 @@
 
 #include "CoincidentPoints.h"
 
+#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -57,6 +58,21 @@ const unsigned char* GhostBits(vtkDataSetAttributes* data, vtkIdType count)
 }
 
 // Output tuple i is input tuple sources[i]. By chunks, so that the lists stay in cache.
+// Arrays that do not have one tuple for each point or cell cannot be carried.
+vtkSmartPointer<vtkDataSetAttributes> WholeArrays(vtkDataSetAttributes* from, vtkIdType tuples)
+{
+  auto whole = vtkSmartPointer<vtkDataSetAttributes>::Take(from->NewInstance());
+  whole->ShallowCopy(from);
+  for (int i = whole->GetNumberOfArrays() - 1; i >= 0; --i)
+  {
+    if (whole->GetAbstractArray(i)->GetNumberOfTuples() != tuples)
+    {
+      whole->RemoveArray(i);
+    }
+  }
+  return whole;
+}
+
 void CopyTuples(
   vtkDataSetAttributes* from, vtkDataSetAttributes* to, const vtkIdType* sources, vtkIdType count)
 {
@@ -320,7 +336,8 @@ void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output) const
   if (this->OutputIds.empty())
   {
     output->SetPoints(this->Input->GetPoints());
-    output->GetPointData()->PassData(this->Input->GetPointData());
+    output->GetPointData()->PassData(
+      WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()));
     return;
   }
   const auto count = static_cast<vtkIdType>(this->SourcePoints.size());
@@ -332,7 +349,8 @@ void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output) const
   std::copy(this->SourcePoints.begin(), this->SourcePoints.end(), list->GetPointer(0));
   this->Input->GetPoints()->GetData()->GetTuples(list, points->GetData());
   output->SetPoints(points);
-  CopyTuples(this->Input->GetPointData(), output->GetPointData(), this->SourcePoints.data(), count);
+  CopyTuples(WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()),
+    output->GetPointData(), this->SourcePoints.data(), count);
 }
 
 void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
@@ -343,12 +361,12 @@ void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
   const auto& plans = this->Plans;
   if (std::all_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Whole)))
   {
-    data->PassData(this->Input->GetCellData());
+    data->PassData(WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()));
   }
   else
   {
-    CopyTuples(this->Input->GetCellData(), data, this->SourceCells->GetPointer(0),
-      this->SourceCells->GetNumberOfValues());
+    CopyTuples(WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()), data,
+      this->SourceCells->GetPointer(0), this->SourceCells->GetNumberOfValues());
   }
   if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Tetrahedra)))
   {

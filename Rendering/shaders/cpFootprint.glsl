@@ -27,7 +27,7 @@ void boxAlong(vec2 axis, vec2 pointVP[10], int count, out vec2 boxVP[4])
   boxVP[3] = low.x * axis + high.y * side;
 }
 
-// Counterclockwise into `footprintVP`; returns its number of corners, 3 or 4.
+// Counterclockwise into `footprintVP`; returns its number of corners: 3, 4, or 0 behind the near plane.
 int footprint(vec3 p[4], out vec2 footprintVP[4])
 {
   vec4 clip[4];
@@ -49,5 +49,5 @@ int footprint(vec3 p[4], out vec2 footprintVP[4])
   }
   int count = cut ? cutAtNearPlane(clip, pointVP) : 4;
   boxAlong(cut ? vec2(1.0, 0.0) : longestEdge(pointVP), pointVP, count, footprintVP);
-  return 4;
+  return count > 0 ? 4 : 0;
 }

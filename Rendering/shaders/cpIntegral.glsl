@@ -33,6 +33,9 @@ float stepShare(float depthFront, float depthRise)
 // Adds a piece of one interval behind what `sum` holds already.
 void addPiece(vec4 front, vec4 back, float len, inout vec4 sum)
 {
+  // A thousand would do to be opaque: more would leave the range of a float when squared.
+  float thinning = min(1.0, 1e6 / max(max(front.a, back.a) * len, 1.0));
+  len *= thinning;
   for (int steps = 0; steps < 24 && len > 0.0 && sum.a < 0.9999999; ++steps)
   {
     float share = stepShare(front.a * len, (back.a - front.a) * len);

@@ -4,6 +4,7 @@
 uniform vec2 rayPixel;
 uniform vec3 rayPoint[3];     // at rayPixel; change per pixel in x; in y
 uniform vec3 rayDirection[3];
+uniform vec3 rayWorld[3];     // the direction in the world
 uniform vec4 rayView[3];      // the same in view coordinates: xy point, zw direction
 uniform vec3 rayDepths;       // reference plane from the eye; near and far from the reference
 uniform vec4 depthFromWindow;
@@ -40,7 +41,7 @@ Ray rayOfFragment()
   Ray ray;
   ray.point = rayPoint[0] + step.x * rayPoint[1] + step.y * rayPoint[2];
   ray.direction = rayDirection[0] + step.x * rayDirection[1] + step.y * rayDirection[2];
-  ray.depthToLength = sqrt(1.0 + dot(view.zw, view.zw));
+  ray.depthToLength = length(rayWorld[0] + step.x * rayWorld[1] + step.y * rayWorld[2]);
   float z = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
   float opaque = (depthFromWindow.x + depthFromWindow.y * z) / (depthFromWindow.z + depthFromWindow.w * z);
   ray.limits = vec2(rayDepths.y, z < 1.0 ? opaque : rayDepths.z);

@@ -49,5 +49,5 @@ Crossing crossingOf(vec4 texels[6], vec3 point, vec3 direction, vec2 limits)
 float scalarAt(Crossing c, vec4 cornerScalars, float depth)
 {
   vec4 barycentric = max(c.value + depth * c.slope, 0.0) * c.inverseHeight;
-  return clamp(dot(barycentric, cornerScalars) / dot(barycentric, vec4(1.0)), 0.0, 1.0);
+  return dot(barycentric, cornerScalars) / dot(barycentric, vec4(1.0));
 }
