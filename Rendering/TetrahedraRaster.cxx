@@ -134,14 +134,31 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
     return false;
   }
   view.OpaqueDepth->Activate();
-  this->Points.Activate(program, "points");
-  this->Corners.Activate(program, "cornerIds");
-  this->Planes.Activate(program, "cellPlanes");
-  this->Scalars.Activate(program, "cellScalars");
-  this->NodePositions.Activate(program, "nodePositions");
-  this->NodeValues.Activate(program, "nodeValues");
+  for (const NamedBuffer& named : this->GetBuffers())
+  {
+    named.Buffer->Activate(program, named.Sampler);
+  }
   this->SetUniforms(program, view);
+  this->DrawCells();
+  for (const NamedBuffer& named : this->GetBuffers())
+  {
+    named.Buffer->Deactivate();
+  }
+  view.OpaqueDepth->Deactivate();
+  return true;
+}
 
+//------------------------------------------------------------------------------
+std::array<TetrahedraRaster::NamedBuffer, 6> TetrahedraRaster::GetBuffers()
+{
+  return { { { &this->Points, "points" }, { &this->Corners, "cornerIds" },
+    { &this->Planes, "cellPlanes" }, { &this->Scalars, "cellScalars" },
+    { &this->NodePositions, "nodePositions" }, { &this->NodeValues, "nodeValues" } } };
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraRaster::DrawCells()
+{
   // A core profile draws from a vertex array object only, though ours has no attributes.
   if (this->VertexArray == 0)
   {
@@ -152,23 +169,14 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   glDrawElements(GL_POINTS, this->NumberOfDrawnCells, GL_UNSIGNED_INT, nullptr);
   this->Order->Release();
   glBindVertexArray(0);
-
-  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
-         &this->Planes, &this->Corners, &this->Points })
-  {
-    buffer->Deactivate();
-  }
-  view.OpaqueDepth->Deactivate();
-  return true;
 }
 
 //------------------------------------------------------------------------------
 void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  for (TextureBuffer* buffer : { &this->NodeValues, &this->NodePositions, &this->Scalars,
-         &this->Planes, &this->Corners, &this->Points })
+  for (const NamedBuffer& named : this->GetBuffers())
   {
-    buffer->ReleaseGraphicsResources(window);
+    named.Buffer->ReleaseGraphicsResources(window);
   }
   this->Order->ReleaseGraphicsResources();
   if (this->VertexArray != 0)

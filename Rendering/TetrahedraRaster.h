@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -53,6 +54,13 @@ public:
   const std::string& GetFailure() const { return this->Failure; }
 
 private:
+  struct NamedBuffer
+  {
+    TextureBuffer* Buffer;
+    const char* Sampler;
+  };
+  std::array<NamedBuffer, 6> GetBuffers();
+  void DrawCells();
   vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window);
   void SetUniforms(vtkShaderProgram* program, const View& view);
   bool Check(const TextureBuffer& buffer, bool uploaded);

@@ -1,4 +1,5 @@
-// The captured float image against the oracle where the order is right: at most 1e-3 everywhere.
+// The captured float image against the oracle where the order is right: at most 2e-4 everywhere
+// (asked: 1e-3).
 
 #include "FaceOrderSort.h"
 #include "TestMeshes.h"
@@ -20,7 +21,7 @@ void CheckViews(TestChecks& checks, TestScene& scene, const std::string& name)
       spiky ? scene.SetSpiky() : scene.SetSmooth();
       const double error = scene.MaximumError(name + (spiky ? ", spiky" : ", smooth"));
       CHECK(error >= 0.0);
-      CHECK_AT_MOST(error, 1e-3);
+      CHECK_AT_MOST(error, 2e-4);
     }
   }
 }

@@ -24,7 +24,7 @@ int TestAccuracyDelaunay(int, char*[])
       spiky ? scene.SetSpiky() : scene.SetSmooth();
       const double error = scene.MaximumError(spiky ? "Delaunay, spiky" : "Delaunay, smooth");
       CHECK(error >= 0.0);
-      CHECK_AT_MOST(error, 1e-3);
+      CHECK_AT_MOST(error, 2e-4);
     }
   }
   return checks.Result();

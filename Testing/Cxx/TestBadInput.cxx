@@ -3,6 +3,7 @@
 #include "TestMeshes.h"
 #include "TestScene.h"
 
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
 #include "vtkIdTypeArray.h"
@@ -89,10 +90,62 @@ void CheckMissingScalars(TestChecks& checks)
   named.Mapper->SelectScalarArray(7);
   named.RenderTwice();
   CHECK(named.Messages->Count() == 2 && named.Messages->CountOf("no array number 7") == 1);
-  // And recovers.
+  // And recovers: the messages change nothing.
   named.Mapper->SetScalarModeToDefault();
   named.RenderTwice();
   CHECK(named.DrawsSomething());
+}
+
+void CheckArrayLengths(TestChecks& checks)
+{
+  for (const int tuples : { 0, 3, 40 })
+  {
+    BadScene scene;
+    vtkNew<vtkDoubleArray> array;
+    array->SetName("short");
+    array->SetNumberOfTuples(tuples);
+    array->FillComponent(0, 0.5);
+    scene.Grid->GetPointData()->AddArray(array);
+    scene.Grid->GetCellData()->AddArray(array);
+    // Beside good scalars it does no harm.
+    scene.RenderTwice();
+    CHECK(scene.Messages->Count() == 0);
+    CHECK(scene.DrawsSomething());
+    scene.Mapper->SetScalarModeToUsePointFieldData();
+    scene.Mapper->SelectScalarArray("short");
+    scene.RenderTwice();
+    CHECK(scene.SaysOnce("array short has " + std::to_string(tuples) + " tuples for 9 points"));
+  }
+}
+
+// One value far outside what the transfer function knows costs the others nothing.
+void CheckOutliers(TestChecks& checks)
+{
+  for (const double outlier : { -1e10, 1e10 })
+  {
+    BadScene scene;
+    scene.Render();
+    auto good = scene.CopyCaptured();
+    // The ninth point is in no cell.
+    scene.Grid->GetPointData()->GetScalars()->SetComponent(8, 0, outlier);
+    scene.Grid->GetPointData()->GetScalars()->Modified();
+    scene.Render();
+    CHECK_AT_MOST(TestScene::Difference(good, scene.Mapper->GetCapturedImage()), 2e-6);
+    scene.Grid->GetPointData()->GetScalars()->SetComponent(1, 0, outlier);
+    scene.Grid->GetPointData()->GetScalars()->Modified();
+    const double error = scene.MaximumError("outlier");
+    CHECK(error >= 0.0);
+    CHECK_AT_MOST(error, 1e-3);
+  }
+}
+
+void CheckDepthPeeling(TestChecks& checks)
+{
+  BadScene scene;
+  scene.Renderer->UseDepthPeelingOn();
+  scene.Renderer->UseDepthPeelingForVolumesOn();
+  scene.RenderTwice();
+  CHECK(scene.SaysOnce("UseDepthPeelingForVolumesOff"));
 }
 
 void CheckNonFiniteScalars(TestChecks& checks)
@@ -112,6 +165,7 @@ void CheckNonFiniteScalars(TestChecks& checks)
   TestMeshes::SetField(all.Grid, [](const double*) { return std::nan(""); });
   all.RenderTwice();
   CHECK(all.SaysOnce("9 of 9 values"));
+  CHECK(all.Statistic("CellsSkippedInvalid") == 6.0);
 }
 
 void CheckProperty(TestChecks& checks)
@@ -234,6 +288,9 @@ int TestBadInput(int, char*[])
   TestChecks checks;
   CheckMissingInput(checks);
   CheckMissingScalars(checks);
+  CheckArrayLengths(checks);
+  CheckOutliers(checks);
+  CheckDepthPeeling(checks);
   CheckNonFiniteScalars(checks);
   CheckProperty(checks);
   CheckOtherCells(checks);

@@ -22,7 +22,7 @@ int TestCameraInside(int, char*[])
     camera->SetClippingRange(nearPlane, 10.0);
     const double error = scene.MaximumError("near plane at " + std::to_string(nearPlane));
     CHECK(error >= 0.0);
-    CHECK_AT_MOST(error, 1e-3);
+    CHECK_AT_MOST(error, 2e-4);
     CHECK(scene.Oracle->GetNumberOfCoveredPixels() == 128 * 128);
     int dark = 0;
     for (int i = 0; i < 128 * 128; ++i)
@@ -36,6 +36,6 @@ int TestCameraInside(int, char*[])
   camera->SetClippingRange(1.9, 2.2);
   const double error = scene.MaximumError("near and far plane through the mesh");
   CHECK(error >= 0.0);
-  CHECK_AT_MOST(error, 1e-3);
+  CHECK_AT_MOST(error, 2e-4);
   return checks.Result();
 }

@@ -21,7 +21,8 @@ void CheckScene(TestChecks& checks, TestScene& scene, const std::string& name, d
 void CheckColorFunctions(TestChecks& checks)
 {
   TestScene scene;
-  scene.SetGrid(TestMeshes::SixTetrahedra());
+  auto grid = TestMeshes::SixTetrahedra();
+  scene.SetGrid(grid);
   vtkColorTransferFunction* color = scene.Color;
   color->SetColorSpaceToDiverging();
   CheckScene(checks, scene, "Diverging");
@@ -37,6 +38,15 @@ void CheckColorFunctions(TestChecks& checks)
   CheckScene(checks, scene, "midpoint and sharpness");
   color->SetScaleToLog10();
   CheckScene(checks, scene, "logarithmic");
+  // Eight decades, most of them next to zero.
+  color->RemoveAllPoints();
+  color->AddRGBPoint(1e-8, 0.0, 0.0, 1.0);
+  color->AddRGBPoint(1e-3, 0.0, 1.0, 0.0);
+  color->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
+  TestMeshes::SetField(
+    grid, [](const double* p) { return std::pow(10.0, -8.0 * (p[0] + 0.5)); });
+  CheckScene(checks, scene, "eight decades");
+  TestMeshes::SetField(grid, TestMeshes::Waves);
   color->SetScaleToLinear();
   color->ClampingOff();
   scene.Opacity->RemoveAllPoints();
@@ -64,6 +74,10 @@ void CheckGrayAndDistance(TestChecks& checks)
   // Optically thick: 1000 and more per cell.
   scene.Property->SetScalarOpacityUnitDistance(1e-3);
   CheckScene(checks, scene, "unit distance .001", 1e-3);
+  // Beyond the square root of the range of a float.
+  scene.Property->SetScalarOpacityUnitDistance(1e-37);
+  scene.Render();
+  CHECK_NEAR(scene.CenterPixel()[3], 1.0, 1e-6);
 }
 
 void CheckCellScalars(TestChecks& checks)
