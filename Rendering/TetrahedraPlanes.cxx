@@ -55,6 +55,17 @@ std::vector<float> TetrahedraPlanes::Planes(
 }
 
 //------------------------------------------------------------------------------
+vtkIdType TetrahedraPlanes::CountFlatCells(const std::vector<float>& planes)
+{
+  vtkIdType flat = 0;
+  for (size_t cell = 0; cell < planes.size(); cell += 24)
+  {
+    flat += planes[cell + 3] == 0.0f ? 1 : 0;
+  }
+  return flat;
+}
+
+//------------------------------------------------------------------------------
 std::vector<float> TetrahedraPlanes::Scalars(
   const ScalarField& scalars, const std::vector<int>& corners)
 {

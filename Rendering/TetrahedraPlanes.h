@@ -1,6 +1,8 @@
 #ifndef TetrahedraPlanes_h
 #define TetrahedraPlanes_h
 
+#include "vtkType.h"
+
 #include <vector>
 
 class ScalarField;
@@ -24,6 +26,9 @@ public:
   /// `points` 4 floats each, `corners` 4 ascending ids per cell.
   static std::vector<float> Planes(
     const std::vector<float>& points, const std::vector<int>& corners);
+
+  /// Cells that are flat once their points are floats: no fragment draws them.
+  static vtkIdType CountFlatCells(const std::vector<float>& planes);
 
   /// 4 floats per cell; a cell's own scalar stands four times.
   static std::vector<float> Scalars(const ScalarField& scalars, const std::vector<int>& corners);

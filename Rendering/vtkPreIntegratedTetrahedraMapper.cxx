@@ -115,10 +115,17 @@ bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
   {
     return true;
   }
+  const std::vector<float> planes = TetrahedraPlanes::Planes(coordinates.Points, corners);
+  const vtkIdType flat = TetrahedraPlanes::CountFlatCells(planes);
+  if (flat > 0)
+  {
+    this->WarnOnce(
+      std::to_string(flat) + " tetrahedra are too small beside the whole mesh for its " +
+      "float coordinates: they are not drawn; render their part of the mesh on its own.");
+  }
   const bool good = internal.Raster.UploadPoints(frame.Window, coordinates.Points) &&
                     internal.Raster.UploadCorners(frame.Window, corners) &&
-                    internal.Raster.UploadPlanes(
-                      frame.Window, TetrahedraPlanes::Planes(coordinates.Points, corners));
+                    internal.Raster.UploadPlanes(frame.Window, planes);
   // Stamped where it worked only: the next frame tries again, and draws nothing that is not there.
   if (good)
   {
