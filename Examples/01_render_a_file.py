@@ -15,9 +15,10 @@ from vtkmodules.vtkRenderingCore import vtkVolume
 
 parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
 parser.add_argument("mesh", nargs="?")
-parser.add_argument("-o", "--output", default=meshes.ROOT / "build" / "demo" / "blunt_fin.png")
+parser.add_argument("-o", "--output")
 arguments = parser.parse_args()
 
+name = "mesh"
 if arguments.mesh:
     reader = vtkXMLUnstructuredGridReader()
     reader.SetFileName(arguments.mesh)
@@ -46,4 +47,5 @@ window.Render()
 
 row = mapper.GetLastStatistics()
 print(f"{row.GetValueByName(0, 'CellsDrawn').ToInt()} tetrahedra drawn")
-print(scene.save(window, pathlib.Path(arguments.output)))
+default = meshes.ROOT / "build" / "demo" / (name.lower().replace(" ", "_") + ".png")
+print(scene.save(window, pathlib.Path(arguments.output or default)))

@@ -31,9 +31,10 @@ def make_curvilinear(size=(40, 32, 32)):
             for i in range(size[0]):
                 angle = 2.0 * i / (size[0] - 1)
                 radius = 1.0 + (j / (size[1] - 1)) ** 1.5
-                z = 2.0 * k / (size[2] - 1)
+                z = k / (size[2] - 1)
                 points.InsertNextPoint(radius * math.cos(angle), radius * math.sin(angle), z)
-                density.InsertNextValue(2.5 + 2.3 * math.sin(4.0 * angle) * math.cos(3.0 * radius + z))
+                wave = 0.5 + 0.5 * math.sin(4.0 * angle) * math.cos(3.0 * radius + 2.0 * z)
+                density.InsertNextValue(0.2 + 4.8 * wave ** 4)
     grid = vtkStructuredGrid()
     grid.SetDimensions(size)
     grid.SetPoints(points)

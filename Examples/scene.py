@@ -54,7 +54,7 @@ def make_window(width, height):
     return window, renderer
 
 
-def look_at(renderer, bounds, direction=(-0.9, 1.0, 0.55), zoom=1.5):
+def look_at(renderer, bounds, direction=(-0.9, 1.0, 0.55), zoom=1.3):
     camera = renderer.GetActiveCamera()
     camera.SetPosition(*direction)
     camera.SetFocalPoint(0.0, 0.0, 0.0)
