@@ -102,8 +102,14 @@ void FaceOrderSort::InitTraversal()
     position[3] = 0.0;
   }
   this->InverseModelTransform->MultiplyPoint(position, this->Eye);
-
   this->FindSharedFaces();
+  this->SortTopologically();
+  this->Returned = false;
+}
+
+//------------------------------------------------------------------------------
+void FaceOrderSort::SortTopologically()
+{
   const vtkIdType cells = this->Input->GetNumberOfCells();
   std::vector<std::vector<vtkIdType>> before(cells);
   std::vector<int> waiting(cells, 0);
@@ -116,30 +122,26 @@ void FaceOrderSort::InitTraversal()
       ++waiting[nearer];
     }
   }
-  std::vector<vtkIdType> ready;
+  this->Order->Reset();
   for (vtkIdType cell = 0; cell < cells; ++cell)
   {
     if (waiting[cell] == 0)
     {
-      ready.push_back(cell);
+      this->Order->InsertNextValue(cell);
     }
   }
-  this->Order->Reset();
-  while (!ready.empty())
+  // The order itself is the queue: what is read releases what is appended.
+  for (vtkIdType next = 0; next < this->Order->GetNumberOfTuples(); ++next)
   {
-    const vtkIdType cell = ready.back();
-    ready.pop_back();
-    this->Order->InsertNextValue(cell);
-    for (const vtkIdType nearer : before[cell])
+    for (const vtkIdType nearer : before[this->Order->GetValue(next)])
     {
       if (--waiting[nearer] == 0)
       {
-        ready.push_back(nearer);
+        this->Order->InsertNextValue(nearer);
       }
     }
   }
   this->NumberOfUnorderedCells = cells - this->Order->GetNumberOfTuples();
-  this->Returned = false;
 }
 
 //------------------------------------------------------------------------------

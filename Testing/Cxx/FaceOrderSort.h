@@ -35,6 +35,7 @@ private:
     vtkIdType Cells[2];
   };
   void FindSharedFaces();
+  void SortTopologically();
   bool FindNearer(const Face& face, vtkIdType& nearer, vtkIdType& farther);
   double SideOf(const Face& face, const double point[3], double w);
 

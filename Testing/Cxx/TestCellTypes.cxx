@@ -9,32 +9,33 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
-int TestCellTypes(int, char*[])
+namespace
 {
-  TestChecks checks;
-  for (const int type : { VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
-  {
-    TestScene scene;
-    auto grid = TestMeshes::Cube(type);
-    vtkNew<vtkConvexCells> cut;
-    cut->SetInputData(grid);
-    cut->TetrahedraOnlyOn();
-    cut->Update();
-    scene.Mapper->SetInputData(grid);
-    scene.Oracle->SetInputData(cut->GetOutput());
-    const double error = scene.MaximumError("cell type " + std::to_string(type));
-    CHECK(error >= 0.0);
-    CHECK_AT_MOST(error, 1e-4);
+void CheckType(TestChecks& checks, int type)
+{
+  TestScene scene;
+  auto grid = TestMeshes::Cube(type);
+  vtkNew<vtkConvexCells> cut;
+  cut->SetInputData(grid);
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  scene.Mapper->SetInputData(grid);
+  scene.Oracle->SetInputData(cut->GetOutput());
+  const double error = scene.MaximumError("cell type " + std::to_string(type));
+  CHECK(error >= 0.0);
+  CHECK_AT_MOST(error, 1e-4);
 
-    // With a linear field, cutting a cell up changes nothing: the cells themselves are the
-    // oracle's.
-    TestMeshes::SetField(grid, [](const double* p) { return 0.5 + 0.4 * p[0] - 0.3 * p[2]; });
-    scene.SetGrid(grid);
-    const double linearError = scene.MaximumError("linear, type " + std::to_string(type));
-    CHECK(linearError >= 0.0);
-    CHECK_AT_MOST(linearError, 1e-4);
-  }
+  // With a linear field, cutting a cell up changes nothing: the cells themselves are the
+  // oracle's.
+  TestMeshes::SetField(grid, [](const double* p) { return 0.5 + 0.4 * p[0] - 0.3 * p[2]; });
+  scene.SetGrid(grid);
+  const double linearError = scene.MaximumError("linear, type " + std::to_string(type));
+  CHECK(linearError >= 0.0);
+  CHECK_AT_MOST(linearError, 1e-4);
+}
 
+void CheckTriangle(TestChecks& checks)
+{
   TestScene scene;
   auto grid = TestMeshes::SixTetrahedra();
   scene.SetGrid(grid);
@@ -54,5 +55,16 @@ int TestCellTypes(int, char*[])
   CHECK(statistics->GetValueByName(0, "CellsIn").ToInt() == 7);
   CHECK(statistics->GetValueByName(0, "CellsDrawn").ToInt() == 6);
   CHECK(statistics->GetValueByName(0, "CellsSkippedInvalid").ToInt() == 1);
+}
+}
+
+int TestCellTypes(int, char*[])
+{
+  TestChecks checks;
+  for (const int type : { VTK_VOXEL, VTK_HEXAHEDRON, VTK_WEDGE, VTK_PYRAMID })
+  {
+    CheckType(checks, type);
+  }
+  CheckTriangle(checks);
   return checks.Result();
 }

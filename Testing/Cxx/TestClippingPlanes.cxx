@@ -6,18 +6,12 @@
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 
-int TestClippingPlanes(int, char*[])
+namespace
 {
-  TestChecks checks;
-  TestScene scene;
-  scene.SetGrid(TestMeshes::SixTetrahedra());
-  scene.Volume->RotateY(20.0);
-  scene.Volume->SetScale(1.0, 1.2, 0.9);
+void CheckCuts(TestChecks& checks, TestScene& scene, vtkPlaneCollection* collection)
+{
   const double planes[3][6] = { { 0.1, 0.0, 0.0, 1.0, 0.3, 0.2 }, { 0.0, 0.2, 0.0, 0.0, -1.0, 0.1 },
     { 0.0, 0.0, -0.3, 0.2, 0.1, 2.0 } };
-  vtkNew<vtkPlaneCollection> collection;
-  scene.Mapper->SetClippingPlanes(collection);
-  scene.Oracle->SetClippingPlanes(collection);
   for (const auto& numbers : planes)
   {
     vtkNew<vtkPlane> plane;
@@ -34,13 +28,20 @@ int TestClippingPlanes(int, char*[])
       CHECK_AT_MOST(error, 1e-4);
     }
   }
+}
+
+void CheckMovedPlane(TestChecks& checks, TestScene& scene, vtkPlaneCollection* collection)
+{
   // A plane that moves moves the cut.
   scene.Render();
   auto before = scene.CopyCaptured();
   collection->GetItem(0)->SetOrigin(-0.1, 0.0, 0.0);
   scene.Render();
   CHECK(TestScene::Difference(before, scene.Mapper->GetCapturedImage()) > 1e-2);
+}
 
+void CheckTooMany(TestChecks& checks, TestScene& scene, vtkPlaneCollection* collection)
+{
   vtkNew<MessageObserver> messages;
   messages->Watch(scene.Mapper);
   while (collection->GetNumberOfItems() < 7)
@@ -52,5 +53,21 @@ int TestClippingPlanes(int, char*[])
   scene.Render();
   scene.Render();
   CHECK(messages->Count() == 1 && messages->CountOf("7 clipping planes") == 1);
+}
+}
+
+int TestClippingPlanes(int, char*[])
+{
+  TestChecks checks;
+  TestScene scene;
+  scene.SetGrid(TestMeshes::SixTetrahedra());
+  scene.Volume->RotateY(20.0);
+  scene.Volume->SetScale(1.0, 1.2, 0.9);
+  vtkNew<vtkPlaneCollection> collection;
+  scene.Mapper->SetClippingPlanes(collection);
+  scene.Oracle->SetClippingPlanes(collection);
+  CheckCuts(checks, scene, collection);
+  CheckMovedPlane(checks, scene, collection);
+  CheckTooMany(checks, scene, collection);
   return checks.Result();
 }
