@@ -198,6 +198,7 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   {
     return true;
   }
+  frame.Statistics.CellsDrawn = 0;
   this->FailOnce(std::to_string(this->Internal->Selection.GetNumberOfCells()) +
                  " tetrahedra cannot be drawn: " + raster.GetFailure() + "; draw fewer cells.");
   return false;
