@@ -1,7 +1,7 @@
 #!/bin/sh
-# Installs the packages of packages.txt that are missing; does nothing where all are there.
+# setup.sh [LIST]: installs the packages of LIST (packages.txt) that are missing; does nothing where all are there.
 set -eu
-list=$(dirname "$0")/packages.txt
+list=${1:-$(dirname "$0")/packages.txt}
 packages=$(sed 's/#.*//' "$list" | xargs)
 
 if ! command -v dpkg-query >/dev/null || ! command -v apt-get >/dev/null; then
@@ -19,7 +19,7 @@ for package in $packages; do
   esac
 done
 if [ -z "$missing" ]; then
-  echo "setup: every package of Module/packages.txt is installed"
+  echo "setup: every package of $list is installed"
   exit 0
 fi
 

@@ -12,6 +12,8 @@
 #include "vtkPointData.h"
 #include "vtkShaderProgram.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 FloatTarget::FloatTarget() = default;
 FloatTarget::~FloatTarget() = default;
 

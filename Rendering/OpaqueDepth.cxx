@@ -4,6 +4,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 #include <vector>
 
 namespace

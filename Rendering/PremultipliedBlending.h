@@ -4,6 +4,8 @@
 #include "VTKVersions.h"
 #include "vtkOpenGLState.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 /**
  * @class PremultipliedBlending
  * @brief GL state for laying premultiplied colours over each other, restored at the end of its

@@ -20,6 +20,8 @@
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 #include <glm/gtc/type_ptr.hpp>
 
 namespace

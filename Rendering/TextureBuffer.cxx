@@ -4,6 +4,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 //------------------------------------------------------------------------------
 bool TextureBuffer::Fits(size_t texels)
 {

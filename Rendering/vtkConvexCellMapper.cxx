@@ -16,6 +16,8 @@
 #include "vtkVolume.h"
 #include "vtkVolumeProperty.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 //------------------------------------------------------------------------------
 vtkConvexCellMapper::vtkConvexCellMapper()
   : Internal(new Internals)

@@ -1,6 +1,7 @@
 #include "vtkConvexCells.h"
 
 #include "ConvexCellConversion.h"
+#include "VTKVersions.h"
 
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
@@ -20,7 +21,7 @@ bool RunInSteps(vtkAlgorithm* filter, vtkIdType count, double from, double to, S
   const vtkIdType stride = std::max<vtkIdType>(64, count / 16 + 1);
   for (vtkIdType begin = 0; begin < count; begin += stride)
   {
-    if (filter->GetAbortExecute())
+    if (IsAborted(filter))
     {
       return false;
     }
@@ -28,7 +29,7 @@ bool RunInSteps(vtkAlgorithm* filter, vtkIdType count, double from, double to, S
     step(begin, end);
     filter->UpdateProgress(from + (to - from) * static_cast<double>(end) / count);
   }
-  return !filter->GetAbortExecute();
+  return !IsAborted(filter);
 }
 }
 

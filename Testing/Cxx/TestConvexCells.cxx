@@ -266,6 +266,8 @@ void TestAbort()
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 0);
   filter->RemoveObserver(tag);
+  // Up to VTK 9.2 the pipeline takes the flag back by itself.
+  filter->AbortExecuteOff();
   filter->Modified();
   filter->Update();
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);

@@ -2,6 +2,7 @@
 // gradient.
 
 #include "TestMeshes.h"
+#include "TestPicture.h"
 #include "TestScene.h"
 
 #include "vtkActor.h"
@@ -9,7 +10,6 @@
 #include "vtkPlaneCollection.h"
 #include "vtkPolyDataMapper.h"
 #include "vtkProperty.h"
-#include "vtkRegressionTestImage.h"
 #include "vtkSphereSource.h"
 
 namespace
@@ -46,6 +46,5 @@ int TestPictureScene(int argc, char* argv[])
   scene.Renderer->SetBackground(0.1, 0.15, 0.3);
   scene.LookFrom(1.4, 1.7, 2.5);
   scene.Render();
-  const int result = vtkRegressionTestImage(scene.Window);
-  return !result;
+  return AgreesWithBaseline(argc, argv, scene.Window) ? 0 : 1;
 }

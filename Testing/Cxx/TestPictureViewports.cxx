@@ -1,11 +1,11 @@
 // A picture: perspective, parallel, cell scalars and the camera inside, in four viewports.
 
 #include "TestMeshes.h"
+#include "TestPicture.h"
 #include "TestScene.h"
 
 #include "vtkCellData.h"
 #include "vtkDoubleArray.h"
-#include "vtkRegressionTestImage.h"
 
 namespace
 {
@@ -53,6 +53,5 @@ int TestPictureViewports(int argc, char* argv[])
   renderers[0]->GetActiveCamera()->ParallelProjectionOn();
   renderers[2]->GetActiveCamera()->SetPosition(0.3, 0.1, 0.2);
   scene.Render();
-  const int result = vtkRegressionTestImage(scene.Window);
-  return !result;
+  return AgreesWithBaseline(argc, argv, scene.Window) ? 0 : 1;
 }
