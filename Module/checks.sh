@@ -5,7 +5,7 @@ cd "$(dirname "$0")/.."
 if git rev-parse --git-dir >/dev/null 2>&1; then
   files=$(git ls-files --cached --others --exclude-standard)
 else
-  files=$(find . -type f -not -path './build*' -not -path './install/*' -not -name '*.pyc' | sed 's|^\./||')
+  files=$(find . -type f -not -path './.git/*' -not -path './build*' -not -path './install/*' -not -name '*.pyc' | sed 's|^\./||')
 fi
 failed=0
 
