@@ -1,0 +1,119 @@
+/**
+ * @class   vtkProvenVisibilitySort
+ * @brief   what our visibility sorts share: the eye, the batches, and the proof of the order
+ *
+ * Input: any vtkDataSet of convex cells, given by SetInput; cells of dimension 0 to 2 and cells
+ * whose `Imaginary` array says 1 are never returned. GetNextCells() returns every other cell's id
+ * once, in batches of MaxCellsReturned, farthest first (or nearest first, by Direction). What is
+ * built from the cells is kept until they change, the order until the eye or the model transform
+ * does.
+ *
+ * The eye is the camera's centre of projection, sheared and stereo views included; in parallel
+ * projection it is a direction.
+ *
+ * Proof: `GetNumberOfMisorderedFaces()` counts the shared faces whose two cells come out in the
+ * wrong order, faces seen edge-on apart; `GetNumberOfCycles()` the groups of cells that no order
+ * can satisfy; `IsOrderProven()` says whether every cell is in its place: a convex (or convexified)
+ * complex, no cycle, no misordered contact. Each is computed when it is asked for, and only then.
+ *
+ * Not guaranteed: an order that is not proven is still a permutation, and nothing more.
+ */
+
+#ifndef vtkProvenVisibilitySort_h
+#define vtkProvenVisibilitySort_h
+
+#include "vtkCellProjectionModule.h" // for export macro
+#include "vtkVisibilitySort.h"
+
+#include <memory> // for std::unique_ptr
+#include <vector> // for std::vector
+
+class vtkCellArray;
+struct CellComplex;
+struct ImaginaryCells;
+
+class VTKCELLPROJECTION_EXPORT vtkProvenVisibilitySort : public vtkVisibilitySort
+{
+public:
+  vtkTypeMacro(vtkProvenVisibilitySort, vtkVisibilitySort);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  void InitTraversal() override;
+  vtkIdTypeArray* GetNextCells() override;
+
+  ///@{
+  /**
+   * Fill concavities, holes and gaps with imaginary cells, where the order needs it and the input
+   * does not carry such cells already. Default: on.
+   */
+  vtkSetMacro(Convexify, bool);
+  vtkGetMacro(Convexify, bool);
+  vtkBooleanMacro(Convexify, bool);
+  ///@}
+
+  // === The order of the last traversal ===
+
+  /**
+   * Groups of cells that hide each other in a circle.
+   */
+  vtkIdType GetNumberOfCycles();
+
+  /**
+   * The cells of these groups, one group a cell of the array; contiguous in the order.
+   */
+  vtkCellArray* GetCyclicGroups();
+
+  /**
+   * Shared faces whose two cells come out in the wrong order for this eye.
+   */
+  vtkIdType GetNumberOfMisorderedFaces();
+
+  /**
+   * Whether the order is right for every ray.
+   */
+  bool IsOrderProven();
+
+protected:
+  vtkProvenVisibilitySort();
+  ~vtkProvenVisibilitySort() override;
+
+  /**
+   * All cells of the input from back to front for `eye` (a point, or with eye[3] = 0 a direction
+   * towards the eye; in the input's coordinates) into `order`, cells that are never returned
+   * included or not.
+   */
+  virtual void SortCells(const double eye[4], std::vector<vtkIdType>& order) = 0;
+
+  /**
+   * Groups of the last SortCells as lists of ids one after the other, and where each begins (and
+   * the end). Default: none.
+   */
+  virtual void FindCyclicGroups(std::vector<vtkIdType>& cells, std::vector<vtkIdType>& offsets);
+
+  /**
+   * The input's cells as a complex, built when first asked for and when the cells have changed.
+   * Cell ids are the input's.
+   */
+  const CellComplex& GetComplex();
+
+  /**
+   * What fills the complex to a convex one; empty where Convexify is off.
+   */
+  const ImaginaryCells& GetImaginaryCells();
+
+  /**
+   * Whether complex and imaginary cells together are convex and free of overlaps.
+   */
+  bool IsComplexConvex();
+
+private:
+  vtkProvenVisibilitySort(const vtkProvenVisibilitySort&) = delete;
+  void operator=(const vtkProvenVisibilitySort&) = delete;
+
+  bool Convexify = true;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif
