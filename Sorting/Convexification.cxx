@@ -7,6 +7,7 @@
 #include "ImaginaryCellAssembly.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -89,6 +90,12 @@ ConvexificationResult Convexifier::Run()
     }
   }
   this->Result.Cells = this->Assembly.Finish();
+  const double filled = this->Result.ImaginaryVolume + this->Result.DiscardedVolume;
+  if (this->Result.EnclosureVolume > 0.0)
+  {
+    this->Result.VolumeError =
+      std::abs(filled - this->ExteriorVolume) / this->Result.EnclosureVolume;
+  }
   return std::move(this->Result);
 }
 

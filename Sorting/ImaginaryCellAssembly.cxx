@@ -30,9 +30,16 @@ int ImaginaryCellAssembly::AddCut(int plane)
 void ImaginaryCellAssembly::AddCell(const ExteriorPart& part)
 {
   const int cell = this->Geometry.Mesh.NumberOfCells + this->Cells.GetNumberOfCells();
+  int faces = 0;
   for (const Facet& facet : FindFacets(this->Geometry, part))
   {
-    this->AddFace(facet);
+    faces += this->AddFace(facet) ? 1 : 0;
+  }
+  if (faces < 2)
+  {
+    this->Cells.FaceOffsets.resize(this->Cells.CellOffsets.back() + 1);
+    this->Cells.FaceCorners.resize(this->Cells.FaceOffsets.back());
+    return;
   }
   this->Cells.CellOffsets.push_back(static_cast<int>(this->Cells.FaceOffsets.size()) - 1);
   this->AddMeshContacts(part, cell);
@@ -69,7 +76,7 @@ std::vector<ImaginaryCellAssembly::Facet> ImaginaryCellAssembly::FindFacets(
 }
 
 //------------------------------------------------------------------------------
-void ImaginaryCellAssembly::AddFace(const Facet& facet)
+bool ImaginaryCellAssembly::AddFace(const Facet& facet)
 {
   std::map<PlanarRegion::Point, int> pointAt;
   PlanarRegion::Polygon projected;
@@ -81,7 +88,7 @@ void ImaginaryCellAssembly::AddFace(const Facet& facet)
   PlanarRegion::Polygon corners = PlanarRegion::ConvexHull(projected, this->Geometry.Tolerance);
   if (corners.size() < 3)
   {
-    return;
+    return false;
   }
   if (facet.Direction < 0)
   {
@@ -92,6 +99,7 @@ void ImaginaryCellAssembly::AddFace(const Facet& facet)
     this->Cells.FaceCorners.push_back(this->TakePoint(pointAt.at(corner)));
   }
   this->Cells.FaceOffsets.push_back(static_cast<int>(this->Cells.FaceCorners.size()));
+  return true;
 }
 
 //------------------------------------------------------------------------------

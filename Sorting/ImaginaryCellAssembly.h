@@ -20,7 +20,8 @@ public:
 
   /** A new cut by a plane; returns the number that its faces carry. */
   int AddCut(int plane);
-  /** A convex part as the next cell. */
+  /** A convex part as the next cell; one that is thinner than the tolerance in two directions is
+   *  left out, for no ray meets it. */
   void AddCell(const ExteriorPart& part);
   /** All cells, with the contacts between them. */
   ImaginaryCells Finish();
@@ -47,7 +48,7 @@ private:
   };
 
   static std::vector<Facet> FindFacets(const ExteriorGeometry& geometry, const ExteriorPart& part);
-  void AddFace(const Facet& facet);
+  bool AddFace(const Facet& facet);
   int TakePoint(int point);
   void AddPieces(const ExteriorPart& part, int cell);
   void AddMeshContacts(const ExteriorPart& part, int cell);

@@ -1,5 +1,7 @@
 #include "PlanarRegion.h"
 
+#include "ExactOrientation.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -167,6 +169,24 @@ int Winding(const std::vector<Segment>& boundary, const Polygon& piece)
   return static_cast<int>(std::lround(angle / (2.0 * std::acos(-1.0))));
 }
 
+// The corners that stand out from the line between their neighbours.
+Polygon DropFlatCorners(const Polygon& polygon, double tolerance)
+{
+  Polygon kept;
+  for (size_t i = 0; i < polygon.size(); ++i)
+  {
+    const Point& before = kept.empty() ? polygon.back() : kept.back();
+    // Two corners in one place must not be dropped for each other.
+    const bool isLast = i + 1 == polygon.size() && !kept.empty();
+    const Segment base{ before, isLast ? kept.front() : polygon[(i + 1) % polygon.size()] };
+    if (-Cross(base.From, base.To, polygon[i]) > tolerance * Length(base))
+    {
+      kept.push_back(polygon[i]);
+    }
+  }
+  return kept;
+}
+
 // A piece of the plane with what is left of the boundary in it.
 struct Piece
 {
@@ -267,15 +287,21 @@ bool Overlap(const Polygon& a, const Polygon& b, double tolerance)
 Polygon ConvexHull(Polygon points, double tolerance)
 {
   std::sort(points.begin(), points.end());
+  points.erase(std::unique(points.begin(), points.end()), points.end());
+  if (points.size() < 3)
+  {
+    return {};
+  }
   Polygon hull;
-  // The lower chain, then the upper one (Andrew 1979).
+  // The lower chain, then the upper one (Andrew 1979). Exact, for one wrong turn among points in
+  // line can lose the last of them.
   for (int chain = 0; chain < 2; ++chain)
   {
     const size_t start = hull.size();
     for (const Point& p : points)
     {
-      while (hull.size() >= start + 2 && Cross(hull[hull.size() - 2], hull.back(), p) <=
-                                           tolerance * Length({ hull[hull.size() - 2], p }))
+      while (hull.size() >= start + 2 && ExactOrientation::Turn(hull[hull.size() - 2].data(),
+                                           hull.back().data(), p.data()) <= 0)
       {
         hull.pop_back();
       }
@@ -284,6 +310,6 @@ Polygon ConvexHull(Polygon points, double tolerance)
     hull.pop_back();
     std::reverse(points.begin(), points.end());
   }
-  return hull;
+  return DropFlatCorners(hull, tolerance);
 }
 }
