@@ -12,6 +12,7 @@
 #include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace
 {
@@ -21,6 +22,11 @@ constexpr float FloatError = 1e-6f;
 
 // Below this sine of the angle between its edges a triangle's own normal, in doubles, is too rough.
 constexpr double SmallestSine = 1e-8;
+
+// Added to a sign that the rounded look could not decide.
+constexpr int Undecided = 4;
+
+constexpr vtkIdType BlockSize = 4096;
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +81,8 @@ void VisibilityGraph::NumberCells()
     this->Scale = box.GetDiagonalLength() > 0.0 ? 1.0 / box.GetDiagonalLength() : 1.0;
   }
   this->InputId = MortonOrder::Find(this->Centers, box);
+  std::stable_partition(this->InputId.begin(), this->InputId.end(),
+    [this](int input) { return input < this->NumberOfMeshCells; });
   this->OwnId.resize(this->InputId.size());
   std::vector<double> centers(this->Centers.size());
   for (size_t own = 0; own < this->InputId.size(); ++own)
@@ -122,51 +130,63 @@ void VisibilityGraph::LinkCells()
     ++this->LinkOffsets[contact.Cells[0] + 1];
     ++this->LinkOffsets[contact.Cells[1] + 1];
   }
-  for (size_t i = 1; i <= cells; ++i)
-  {
-    this->LinkOffsets[i] += this->LinkOffsets[i - 1];
-  }
-  std::vector<int> next(this->LinkOffsets.begin(), this->LinkOffsets.end() - 1);
-  this->Links.resize(2 * this->Contacts.size());
+  std::partial_sum(this->LinkOffsets.begin(), this->LinkOffsets.end(), this->LinkOffsets.begin());
+  std::vector<int> next = this->LinkOffsets;
+  this->Neighbors.resize(2 * this->Contacts.size());
+  this->ContactSides.resize(2 * this->Contacts.size());
   for (int i = 0; i < static_cast<int>(this->Contacts.size()); ++i)
   {
     for (int side = 0; side < 2; ++side)
     {
-      const int cell = this->Contacts[i].Cells[side];
-      this->Links[next[cell]++] = { this->Contacts[i].Cells[1 - side], 2 * i + side };
+      const int link = next[this->Contacts[i].Cells[side]]++;
+      this->Neighbors[link] = this->Contacts[i].Cells[1 - side];
+      this->ContactSides[link] = 2 * i + side;
     }
   }
+  this->LongLists.resize(this->Neighbors.size());
+  this->Cells.resize(cells);
 }
 
 //------------------------------------------------------------------------------
 void VisibilityGraph::SetPlanes()
 {
-  this->Planes.resize(this->Contacts.size());
+  for (std::vector<float>& values : this->ContactPlanes)
+  {
+    values.resize(this->Contacts.size());
+  }
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Contacts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        const double* p[3];
-        for (int k = 0; k < 3; ++k)
-        {
-          p[k] = this->Points->data() + 3 * static_cast<size_t>(this->Contacts[i].Points[k]);
-        }
-        double u[3], v[3], normal[3], fromCenter[3];
-        vtkMath::Subtract(p[1], p[0], u);
-        vtkMath::Subtract(p[2], p[0], v);
-        vtkMath::Subtract(p[0], this->Center, fromCenter);
-        vtkMath::Cross(u, v, normal);
-        const double sine = vtkMath::Norm(normal) / (vtkMath::Norm(u) * vtkMath::Norm(v));
-        vtkMath::Normalize(normal);
-        Plane& plane = this->Planes[i];
-        std::copy_n(normal, 3, plane.Normal);
-        // What is not a number decides nothing: the exact sign is taken.
-        plane.Offset = sine > SmallestSine
-                         ? static_cast<float>(-vtkMath::Dot(normal, fromCenter) * this->Scale)
-                         : std::numeric_limits<float>::quiet_NaN();
+        this->SetPlane(i);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void VisibilityGraph::SetPlane(vtkIdType contact)
+{
+  const double* p[3];
+  for (int k = 0; k < 3; ++k)
+  {
+    p[k] = this->Points->data() + 3 * static_cast<size_t>(this->Contacts[contact].Points[k]);
+  }
+  double u[3], v[3], normal[3], fromCenter[3];
+  vtkMath::Subtract(p[1], p[0], u);
+  vtkMath::Subtract(p[2], p[0], v);
+  vtkMath::Subtract(p[0], this->Center, fromCenter);
+  vtkMath::Cross(u, v, normal);
+  const double sine = vtkMath::Norm(normal) / (vtkMath::Norm(u) * vtkMath::Norm(v));
+  vtkMath::Normalize(normal);
+  for (int k = 0; k < 3; ++k)
+  {
+    // What is not a number decides nothing: the exact sign is taken.
+    this->ContactPlanes[k][contact] =
+      sine > SmallestSine ? static_cast<float>(normal[k]) : std::numeric_limits<float>::quiet_NaN();
+  }
+  this->ContactPlanes[3][contact] =
+    static_cast<float>(-vtkMath::Dot(normal, fromCenter) * this->Scale);
 }
 
 //------------------------------------------------------------------------------
@@ -179,37 +199,17 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
   }
   this->Sorted = true;
   this->SortedByCenters = centersFirst;
-  this->Order.clear();
-  this->Order.reserve(static_cast<size_t>(this->NumberOfMeshCells));
   this->GroupCells.clear();
   this->GroupOffsets.assign(1, 0);
-  this->CountFarther();
+  this->FindNearer();
   this->FindSources(eye, centersFirst);
   this->SortTopologically();
-  if (static_cast<int>(this->Order.size()) < this->NumberOfMeshCells)
+  if (static_cast<int>(this->OwnOrder.size()) < this->NumberOfMeshCells)
   {
     this->SortGroups(eye);
   }
+  this->TakeInputIds();
   return true;
-}
-
-//------------------------------------------------------------------------------
-signed char VisibilityGraph::SignOf(
-  int contact, const float eye[4], float scale, const double exact[4]) const
-{
-  const Plane& plane = this->Planes[contact];
-  const float distance = plane.Normal[0] * eye[0] + plane.Normal[1] * eye[1] +
-                         plane.Normal[2] * eye[2] + plane.Offset * eye[3];
-  const float bound = FloatError * scale;
-  if (distance > bound || distance < -bound)
-  {
-    return distance > 0.0f ? 1 : -1;
-  }
-  const double* points = this->Points->data();
-  const int* p = this->Contacts[contact].Points;
-  return static_cast<signed char>(
-    ExactOrientation::SideOfEye(points + 3 * static_cast<size_t>(p[0]),
-      points + 3 * static_cast<size_t>(p[1]), points + 3 * static_cast<size_t>(p[2]), exact));
 }
 
 //------------------------------------------------------------------------------
@@ -224,53 +224,114 @@ bool VisibilityGraph::FindSigns(const double eye[4])
     length += std::abs(x);
   }
   // A plane of the mesh is at most a diagonal away from its middle.
-  const float scale = static_cast<float>(length + 2.0 * eye[3]);
-  std::atomic<bool> changed(false);
+  const float bound = FloatError * static_cast<float>(length + 2.0 * eye[3]);
+  std::atomic<int> changed(0);
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Contacts.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
-      int different = 0;
-      for (vtkIdType i = begin; i < end; ++i)
+      // Blocks that stay in the cache between the rounded and the exact look.
+      for (vtkIdType at = begin; at < end; at += BlockSize)
       {
-        const signed char sign = this->SignOf(static_cast<int>(i), rounded, scale, eye);
-        different |= sign ^ this->Signs[i];
-        this->Signs[i] = sign;
-      }
-      if (different != 0)
-      {
-        changed.store(true, std::memory_order_relaxed);
+        const vtkIdType last = std::min(end, at + BlockSize);
+        const int different =
+          this->UpdateSigns(at, last, rounded, bound) | this->DecideExactly(at, last, eye);
+        if (different != 0)
+        {
+          changed.store(1, std::memory_order_relaxed);
+        }
       }
     });
-  return changed.load();
+  return changed.load() != 0;
 }
 
 //------------------------------------------------------------------------------
-void VisibilityGraph::CountFarther()
+int VisibilityGraph::UpdateSigns(vtkIdType begin, vtkIdType end, const float eye[4], float bound)
 {
-  const auto cells = static_cast<vtkIdType>(this->InputId.size());
-  this->Waiting.resize(this->InputId.size());
-  vtkSMPTools::For(0, cells,
+  const float *x = this->ContactPlanes[0].data(), *y = this->ContactPlanes[1].data(),
+              *z = this->ContactPlanes[2].data(), *offset = this->ContactPlanes[3].data();
+  const float e[4] = { eye[0], eye[1], eye[2], eye[3] };
+  signed char* signs = this->Signs.data();
+  int different = 0;
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    const float distance = x[i] * e[0] + y[i] * e[1] + z[i] * e[2] + offset[i] * e[3];
+    const int sign = (distance > bound) - (distance < -bound);
+    // An undecided sign keeps the old one in itself, for the exact one to be compared with.
+    const int old = signs[i];
+    different |= sign != 0 ? sign ^ old : 0;
+    signs[i] = static_cast<signed char>(sign != 0 ? sign : old + Undecided);
+  }
+  return different;
+}
+
+//------------------------------------------------------------------------------
+int VisibilityGraph::DecideExactly(vtkIdType begin, vtkIdType end, const double eye[4])
+{
+  const double* points = this->Points->data();
+  int different = 0;
+  for (vtkIdType i = begin; i < end; ++i)
+  {
+    if (this->Signs[i] > 1)
+    {
+      const int* p = this->Contacts[i].Points;
+      const int sign = ExactOrientation::SideOfEye(points + 3 * static_cast<size_t>(p[0]),
+        points + 3 * static_cast<size_t>(p[1]), points + 3 * static_cast<size_t>(p[2]), eye);
+      different |= sign ^ (this->Signs[i] - Undecided);
+      this->Signs[i] = static_cast<signed char>(sign);
+    }
+  }
+  return different;
+}
+
+//------------------------------------------------------------------------------
+void VisibilityGraph::FindNearer()
+{
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Cells.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        int waiting = 0;
-        for (int i = this->LinkOffsets[cell]; i < this->LinkOffsets[cell + 1]; ++i)
-        {
-          waiting += this->IsFarther(this->Links[i]) ? 1 : 0;
-        }
-        this->Waiting[cell] = waiting;
+        this->FindNearer(cell);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void VisibilityGraph::FindNearer(vtkIdType cell)
+{
+  const int first = this->LinkOffsets[cell];
+  const int last = this->LinkOffsets[cell + 1];
+  Cell& own = this->Cells[cell];
+  int few[4] = { 0, 0, 0, 0 };
+  int* list = last - first <= 4 ? few : &this->LongLists[first];
+  int nearer = 0;
+  int farther = 0;
+  for (int link = first; link < last; ++link)
+  {
+    const int across = this->CompareAcross(link);
+    farther += across < 0 ? 1 : 0;
+    // Written in any case, kept where it counts: no branch to guess.
+    list[nearer] = this->Neighbors[link];
+    nearer += across > 0 ? 1 : 0;
+  }
+  if (nearer > 3)
+  {
+    std::copy_n(list, nearer, &this->LongLists[first]);
+    own = { farther * WaitingUnit + LongList, { first, first + nearer, 0 } };
+    return;
+  }
+  own.State = farther * WaitingUnit + nearer;
+  // All three, for a fixed number is copied without a loop.
+  std::copy_n(list, 3, own.Nearer);
 }
 
 //------------------------------------------------------------------------------
 void VisibilityGraph::FindSources(const double eye[4], bool centersFirst)
 {
   this->Stack.clear();
-  for (int cell = 0; cell < static_cast<int>(this->Waiting.size()); ++cell)
+  for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)
   {
-    if (this->Waiting[cell] == 0)
+    if (!this->IsWaiting(cell))
     {
       this->Stack.push_back(cell);
     }
@@ -291,50 +352,70 @@ double VisibilityGraph::GetDistance(int cell, const double eye[4]) const
 }
 
 //------------------------------------------------------------------------------
-void VisibilityGraph::Emit(int cell)
-{
-  if (this->InputId[cell] < this->NumberOfMeshCells)
-  {
-    this->Order.push_back(this->InputId[cell]);
-  }
-}
-
-//------------------------------------------------------------------------------
 void VisibilityGraph::SortTopologically()
 {
-  while (!this->Stack.empty())
+  // Plain pointers: this loop is most of the time that a frame takes.
+  this->OwnOrder.resize(static_cast<size_t>(this->NumberOfMeshCells));
+  const size_t sources = this->Stack.size();
+  this->Stack.resize(this->InputId.size() + 1);
+  int* top = this->Stack.data() + sources;
+  int* ordered = this->OwnOrder.data();
+  Cell* cells = this->Cells.data();
+  while (top != this->Stack.data())
   {
-    const int cell = this->Stack.back();
-    this->Stack.pop_back();
-    this->Emit(cell);
-    for (int i = this->LinkOffsets[cell]; i < this->LinkOffsets[cell + 1]; ++i)
+    const int cell = *--top;
+    if (this->IsMeshCell(cell))
     {
-      const Link& link = this->Links[i];
-      if (this->IsNearer(link) && --this->Waiting[link.Neighbor] == 0)
+      *ordered++ = cell;
+    }
+    const Cell& own = cells[cell];
+    const int* nearer = own.Nearer;
+    const int* end = nearer + own.State;
+    if (own.State == LongList)
+    {
+      nearer = &this->LongLists[0] + own.Nearer[0];
+      end = &this->LongLists[0] + own.Nearer[1];
+    }
+    for (; nearer != end; ++nearer)
+    {
+      if ((cells[*nearer].State -= WaitingUnit) < WaitingUnit)
       {
-        this->Stack.push_back(link.Neighbor);
+        *top++ = *nearer;
       }
     }
   }
+  this->OwnOrder.resize(ordered - this->OwnOrder.data());
+}
+
+//------------------------------------------------------------------------------
+void VisibilityGraph::TakeInputIds()
+{
+  this->Order.resize(this->OwnOrder.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Order.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Order[i] = this->InputId[this->OwnOrder[i]];
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
 void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
 {
+  group.erase(std::remove_if(
+                group.begin(), group.end(), [this](int cell) { return !this->IsMeshCell(cell); }),
+    group.end());
   std::sort(group.begin(), group.end(),
     [&](int a, int b) { return this->GetDistance(a, eye) > this->GetDistance(b, eye); });
-  const auto isMesh = [&](int cell) { return this->InputId[cell] < this->NumberOfMeshCells; };
-  const bool isGroup = std::count_if(group.begin(), group.end(), isMesh) > 1;
-  for (const int cell : group)
+  this->OwnOrder.insert(this->OwnOrder.end(), group.begin(), group.end());
+  if (group.size() > 1)
   {
-    this->Emit(cell);
-    if (isGroup && isMesh(cell))
+    for (const int cell : group)
     {
       this->GroupCells.push_back(this->InputId[cell]);
     }
-  }
-  if (isGroup)
-  {
     this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
   }
 }
@@ -342,22 +423,22 @@ void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
 //------------------------------------------------------------------------------
 void VisibilityGraph::SortGroups(const double eye[4])
 {
-  // What is left waits for itself. Against the edges, from near to far: then a component is given
-  // out after all that lie behind it.
+  // What is left waits for itself. Walked from near to far: then a component is given out after all
+  // that lie behind it.
   StrongComponents components(static_cast<int>(this->InputId.size()));
   const auto getEdge = [&](int cell, int edge)
   {
-    const int at = this->LinkOffsets[cell] + edge;
-    if (at >= this->LinkOffsets[cell + 1])
+    const int link = this->LinkOffsets[cell] + edge;
+    if (link >= this->LinkOffsets[cell + 1])
     {
       return -2;
     }
-    const Link& link = this->Links[at];
-    return this->IsFarther(link) && this->Waiting[link.Neighbor] > 0 ? link.Neighbor : -1;
+    const int neighbor = this->Neighbors[link];
+    return this->CompareAcross(link) < 0 && this->IsWaiting(neighbor) ? neighbor : -1;
   };
   for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)
   {
-    if (this->Waiting[cell] > 0 && !components.HasSeen(cell))
+    if (this->IsWaiting(cell) && !components.HasSeen(cell))
     {
       components.Walk(
         cell, getEdge, [&](std::vector<int>& group) { this->AppendGroup(group, eye); });

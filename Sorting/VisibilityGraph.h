@@ -17,6 +17,7 @@
 #include "CellComplex.h"
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 struct ImaginaryCells;
@@ -42,43 +43,47 @@ public:
   const std::vector<vtkIdType>& GetGroupOffsets() const { return this->GroupOffsets; }
 
 private:
-  /** A plane about the middle of the mesh, in units of its size. */
-  struct Plane
+  /** What the sort touches of a cell, in a quarter of a line of the cache. */
+  struct alignas(16) Cell
   {
-    float Normal[3];
-    float Offset;
+    /** Farther neighbours that are not in the order yet, times WaitingUnit, plus the number of
+     *  nearer ones; LongList instead of that number where they are more than three. */
+    int State;
+    /** The nearer neighbours; or where they begin and end in LongLists. */
+    int Nearer[3];
   };
-  /** One side of a contact: the cell across it, and the contact with its side in the last bit. */
-  struct Link
-  {
-    int Neighbor;
-    int ContactAndSide;
-  };
+  static constexpr int WaitingUnit = 8;
+  static constexpr int LongList = 4;
+
+  /** Planes about the middle of the mesh, in units of its size: x, y and z of the normal, offset.
+   */
+  using Planes = std::array<std::vector<float>, 4>;
 
   void TakeCenters(const CellComplex& complex, const ImaginaryCells* imaginary);
   void NumberCells();
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
   void SetPlanes();
+  void SetPlane(vtkIdType contact);
 
   bool FindSigns(const double eye[4]);
-  signed char SignOf(int contact, const float eye[4], float scale, const double exact[4]) const;
-  void CountFarther();
+  int UpdateSigns(vtkIdType begin, vtkIdType end, const float eye[4], float bound);
+  int DecideExactly(vtkIdType begin, vtkIdType end, const double eye[4]);
+  void FindNearer();
+  void FindNearer(vtkIdType cell);
+  bool IsWaiting(int cell) const { return this->Cells[cell].State >= WaitingUnit; }
   void FindSources(const double eye[4], bool centersFirst);
   void SortTopologically();
   void SortGroups(const double eye[4]);
   void AppendGroup(std::vector<int>& group, const double eye[4]);
-  void Emit(int cell);
-  /** Whether the cell across is nearer to the eye. */
-  bool IsNearer(const Link& link) const
+  void TakeInputIds();
+  bool IsMeshCell(int cell) const { return cell < this->NumberOfMeshCells; }
+  /** 1 where the cell across a link is nearer to the eye, -1 where it is farther. */
+  int CompareAcross(int link) const
   {
-    const signed char sign = this->Signs[link.ContactAndSide >> 1];
-    return (link.ContactAndSide & 1) != 0 ? sign > 0 : sign < 0;
-  }
-  bool IsFarther(const Link& link) const
-  {
-    const signed char sign = this->Signs[link.ContactAndSide >> 1];
-    return (link.ContactAndSide & 1) != 0 ? sign < 0 : sign > 0;
+    const int contactAndSide = this->ContactSides[link];
+    const int sign = this->Signs[contactAndSide >> 1];
+    return (contactAndSide & 1) != 0 ? sign : -sign;
   }
   double GetDistance(int cell, const double eye[4]) const;
 
@@ -87,18 +92,23 @@ private:
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Scale = 1.0;
 
-  // Cells by the graph's own numbers.
+  // Cells by the graph's own numbers: those of the mesh first.
   std::vector<double> Centers;
   std::vector<int> InputId;
   std::vector<int> OwnId;
   std::vector<CellComplex::Contact> Contacts;
-  std::vector<Plane> Planes;
-  std::vector<Link> Links;
+  Planes ContactPlanes;
+  // Per cell and contact: the cell across, and the contact with the cell's side in the last bit.
   std::vector<int> LinkOffsets;
+  std::vector<int> Neighbors;
+  std::vector<int> ContactSides;
 
+  // Per frame. LongLists: the nearer neighbours of cells with many, from their link offset on.
   std::vector<signed char> Signs;
-  std::vector<int> Waiting;
+  std::vector<Cell> Cells;
+  std::vector<int> LongLists;
   std::vector<int> Stack;
+  std::vector<int> OwnOrder;
   bool Sorted = false;
   bool SortedByCenters = false;
 
