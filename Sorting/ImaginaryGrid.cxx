@@ -77,21 +77,91 @@ vtkSmartPointer<vtkIdTypeArray> MakeContacts(const ImaginaryCells& cells)
   }
   return contacts;
 }
+
+// The first cell that `Imaginary` marks; the number of cells where there is none.
+vtkIdType FindFirst(vtkDataSet* grid)
+{
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray("Imaginary"));
+  if (!marks || marks->GetNumberOfTuples() != grid->GetNumberOfCells())
+  {
+    return grid->GetNumberOfCells();
+  }
+  const unsigned char* begin = marks->GetPointer(0);
+  const unsigned char* end = begin + marks->GetNumberOfTuples();
+  return std::find_if(begin, end, [](unsigned char mark) { return mark != 0; }) - begin;
+}
+
+bool AreLast(vtkDataSet* grid, vtkIdType first)
+{
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray("Imaginary"));
+  const unsigned char* begin = marks->GetPointer(0);
+  return std::all_of(begin + first, begin + marks->GetNumberOfTuples(),
+    [](unsigned char mark) { return mark != 0; });
+}
+
+bool TakeContacts(vtkIdTypeArray* contacts, vtkDataSet* grid, ImaginaryCells& cells)
+{
+  const vtkIdType points = grid->GetNumberOfPoints();
+  std::vector<CellComplex::Contact> taken;
+  for (vtkIdType i = 0; contacts->GetNumberOfComponents() == 5 && i < contacts->GetNumberOfTuples();
+       ++i)
+  {
+    const vtkIdType* row = contacts->GetPointer(5 * i);
+    const auto isIn = [](vtkIdType id, vtkIdType count) { return id >= 0 && id < count; };
+    if (!isIn(row[0], points) || !isIn(row[1], points) || !isIn(row[2], points) ||
+        !isIn(row[3], grid->GetNumberOfCells()) || !isIn(row[4], grid->GetNumberOfCells()))
+    {
+      return false;
+    }
+    CellComplex::Contact contact;
+    std::copy_n(row, 3, contact.Points);
+    std::copy_n(row + 3, 2, contact.Cells);
+    taken.push_back(contact);
+  }
+  cells.Contacts = std::move(taken);
+  return !cells.Contacts.empty();
+}
+
+// Their corners are all that sorting needs: one face each.
+void TakeCells(vtkDataSet* grid, vtkIdType first, ImaginaryCells& cells)
+{
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = first; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      cells.FaceCorners.push_back(static_cast<int>(ids->GetId(i)));
+    }
+    cells.FaceOffsets.push_back(static_cast<int>(cells.FaceCorners.size()));
+    cells.CellOffsets.push_back(static_cast<int>(cells.FaceOffsets.size()) - 1);
+  }
+}
 }
 
 namespace ImaginaryGrid
 {
 //------------------------------------------------------------------------------
-bool HasImaginaryCells(vtkUnstructuredGrid* grid)
+bool HasImaginaryCells(vtkDataSet* grid)
 {
-  auto* marks = vtkUnsignedCharArray::SafeDownCast(grid->GetCellData()->GetArray("Imaginary"));
-  if (!marks || marks->GetNumberOfTuples() != grid->GetNumberOfCells())
+  return FindFirst(grid) < grid->GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+bool Take(vtkDataSet* grid, CellComplex& complex, ImaginaryCells& cells)
+{
+  const vtkIdType first = FindFirst(grid);
+  auto* contacts =
+    vtkIdTypeArray::SafeDownCast(grid->GetFieldData()->GetArray("ImaginaryContacts"));
+  if (first == grid->GetNumberOfCells() || !contacts || !AreLast(grid, first) ||
+      !TakeContacts(contacts, grid, cells))
   {
     return false;
   }
-  const unsigned char* begin = marks->GetPointer(0);
-  return std::find(begin, begin + marks->GetNumberOfTuples(), 1) !=
-         begin + marks->GetNumberOfTuples();
+  TakeCells(grid, first, cells);
+  complex.NumberOfCells = static_cast<int>(first);
+  complex.Centers.resize(3 * static_cast<size_t>(first));
+  return true;
 }
 
 //------------------------------------------------------------------------------
