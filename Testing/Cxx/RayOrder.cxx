@@ -9,6 +9,12 @@
 #include <map>
 #include <random>
 
+namespace
+{
+// Of the diagonal: what rounding may do to a depth.
+constexpr double Slack = 1e-9;
+}
+
 // A line, and the shear that makes it the third axis.
 struct RayOrder::Ray
 {
@@ -139,26 +145,38 @@ void RayOrder::MakeTree()
 //------------------------------------------------------------------------------
 RayOrder::Point RayOrder::RandomPointIn(int cell, unsigned int seed) const
 {
+  // Between two points of its faces: a mean of all corners would stay near the middle. A little
+  // inwards: a ray within the plane of a face meets cells by the whim of rounding.
   std::mt19937 random(seed);
   std::exponential_distribution<double> weight;
-  Point p = { { 0.0, 0.0, 0.0 } };
-  const Point& first = this->Points[this->Triangles[this->Offsets[cell]][0]];
-  double total = 0.0;
-  for (int at = this->Offsets[cell]; at < this->Offsets[cell + 1]; ++at)
+  const int begin = this->Offsets[cell], count = this->Offsets[cell + 1] - begin;
+  double weights[6];
+  const double inwards = 0.05, share = std::uniform_real_distribution<double>()(random);
+  for (int half = 0; half < 2; ++half)
   {
-    for (const vtkIdType id : this->Triangles[at])
+    double* w = weights + 3 * half;
+    for (int i = 0; i < 3; ++i)
     {
-      const double w = weight(random);
-      total += w;
-      for (int i = 0; i < 3; ++i)
-      {
-        p[i] += w * (this->Points[id][i] - first[i]);
-      }
+      w[i] = weight(random);
     }
+    const double part = (half == 0 ? share : 1.0 - share) * (1.0 - inwards);
+    const double scale = part / (w[0] + w[1] + w[2]);
+    std::for_each(w, w + 3, [scale](double& value) { value *= scale; });
   }
-  for (int i = 0; i < 3; ++i)
+  const Point& first = this->Points[this->Triangles[begin][0]];
+  Point p = first;
+  for (int at = 0; at < 9 * count; ++at)
   {
-    p[i] = first[i] + p[i] / total;
+    const vtkIdType id = this->Triangles[begin + at / 9][at / 3 % 3];
+    p[at % 3] += inwards / (3 * count) * (this->Points[id][at % 3] - first[at % 3]);
+  }
+  for (int half = 0; half < 2; ++half)
+  {
+    const auto& triangle = this->Triangles[begin + random() % count];
+    for (int i = 0; i < 9; ++i)
+    {
+      p[i % 3] += weights[3 * half + i / 3] * (this->Points[triangle[i / 3]][i % 3] - first[i % 3]);
+    }
   }
   return p;
 }
@@ -200,7 +218,8 @@ void RayOrder::AddSegments(
   for (std::size_t i = 1; i < hits.size(); i += 2)
   {
     const double begin = fromEye ? std::max(0.0, hits[i - 1]) : hits[i - 1];
-    if (hits[i] > begin)
+    // What is shorter than the slack says nothing: an eye on a face touches both of its cells.
+    if (hits[i] > begin + Slack * this->Diagonal)
     {
       segments.push_back({ begin, hits[i], this->CellIds[cell] });
     }
@@ -211,7 +230,7 @@ void RayOrder::AddSegments(
 void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
   const std::vector<int>& groups, Result& result) const
 {
-  const double slack = 1e-9 * this->Diagonal;
+  const double slack = Slack * this->Diagonal;
   bool wrong = false;
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
