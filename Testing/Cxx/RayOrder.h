@@ -1,0 +1,73 @@
+#ifndef RayOrder_h
+#define RayOrder_h
+
+#include "BoxTree.h"
+#include "vtkType.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+class vtkUnstructuredGrid;
+
+/// Checks orders of cells along random rays, gaps and cavities included. Shares no code with the
+/// sorts. Coincident points are one; a face is the fan of triangles from its smallest point id.
+class RayOrder
+{
+public:
+  struct Result
+  {
+    int Rays = 0;
+    /// Rays on which any two cells come out in the wrong order.
+    int WrongRays = 0;
+    /// Neighbours along a ray, and those in the wrong order.
+    long long Pairs = 0;
+    long long WrongPairs = 0;
+    /// Pairs of cells whose segments overlap: no order of theirs is right, none is compared.
+    long long OverlappingPairs = 0;
+    /// The first two cells found wrong: `Near` is in front, and does not come after `Far`.
+    vtkIdType Near = -1;
+    vtkIdType Far = -1;
+    /// Of that ray.
+    std::array<double, 3> Direction{ { 0.0, 0.0, 0.0 } };
+  };
+
+  /// Cells of dimension 3. Cells with a true `skipped` are left out.
+  explicit RayOrder(vtkUnstructuredGrid* grid, const std::vector<bool>& skipped = {});
+
+  /// `eye`: a point, or with eye[3] = 0 a direction towards the eye. `order`: back to front; cells
+  /// that it does not name are wrong wherever a ray meets them. `groups`: per cell the group within
+  /// which nothing is compared, or -1; may be empty.
+  Result Check(const double eye[4], const std::vector<vtkIdType>& order,
+    const std::vector<int>& groups = {}, int rays = 2000) const;
+
+private:
+  using Point = std::array<double, 3>;
+  struct Segment
+  {
+    double Begin, End;
+    vtkIdType Cell;
+  };
+  struct Ray;
+
+  void ReadCells(vtkUnstructuredGrid* grid, const std::vector<bool>& skipped);
+  void AddFace(const std::vector<vtkIdType>& corners);
+  void MakeTree();
+  Point RandomPointIn(int cell, unsigned int seed) const;
+  bool Hit(const Ray& ray, const std::array<vtkIdType, 3>& triangle, double& depth) const;
+  void AddSegments(const Ray& ray, int cell, bool fromEye, std::vector<Segment>& segments) const;
+  void Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
+    const std::vector<int>& groups, Result& result) const;
+
+  std::vector<Point> Points;
+  std::vector<vtkIdType> Merged;
+  /// Ascending ids, so that the two cells of a triangle compute the same.
+  std::vector<std::array<vtkIdType, 3>> Triangles;
+  std::vector<int> Offsets;
+  std::vector<vtkIdType> CellIds;
+  vtkIdType NumberOfCells = 0;
+  double Diagonal = 0.0;
+  std::unique_ptr<BoxTree> Tree;
+};
+
+#endif

@@ -1,0 +1,168 @@
+// The table of all meshes, good and bad.
+#include "SortMeshes.h"
+
+#include "MeshLattice.h"
+#include "TestMeshes.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <cmath>
+
+namespace
+{
+using namespace SortMeshes;
+
+std::vector<Entry> MakeGood()
+{
+  return {
+    { "lattice", [] { return Lattice(4); }, false, true },
+    { "latticeKuhn", [] { return Kuhn(Lattice(4)); }, false, true },
+    { "latticeKuhnShuffled", [] { return Shuffled(Kuhn(Lattice(4)), 3); }, false, true },
+    { "latticeKuhnJittered", [] { return Kuhn(JitteredLattice(4, 0.15)); }, true, true },
+    { "latticeJittered", [] { return JitteredLattice(4, 0.1); }, true, true },
+    { "latticeFloat", [] { return AsFloat(Kuhn(JitteredLattice(3, 0.15))); }, true, true },
+    { "curvilinear", [] { return TestMeshes::Curvilinear(5); }, true, false },
+    { "delaunay", [] { return TestMeshes::Delaunay(80); }, false, false, false, true },
+    { "pyramids", [] { return TestMeshes::Cube(VTK_PYRAMID); }, false, true },
+    { "voxel", [] { return TestMeshes::Cube(VTK_VOXEL); }, false, true },
+    { "lShape", [] { return LShape(); } },
+    { "lShapeWedges", [] { return Wedges(LShape()); } },
+    { "lShapeKuhn", [] { return Kuhn(LShape()); } },
+    { "slabs", [] { return Slabs(); } },
+    { "slabsTetrahedra", [] { return Tetrahedra(Slabs()); } },
+    { "checkerboard", [] { return Checkerboard(); } },
+    { "checkerboardKuhn", [] { return Kuhn(Checkerboard()); } },
+    { "checkerboardShuffled", [] { return Shuffled(Checkerboard(), 5); } },
+    { "gears", [] { return Gears(); } },
+    { "gearsWedges", [] { return Wedges(Gears()); } },
+    { "gearsTetrahedra", [] { return Tetrahedra(Gears()); } },
+    { "gearsShuffled", [] { return Shuffled(Tetrahedra(Gears()), 9); } },
+    { "gearsFloat", [] { return AsFloat(Tetrahedra(Gears())); } },
+    { "gearsFar", [] { return Moved(Tetrahedra(Gears()), 1e7, -2e7, 1.5e7); } },
+    { "gearsTiny", [] { return Scaled(Tetrahedra(Gears()), 1e-7, 1e-7, 1e-7); } },
+    { "torus", [] { return Torus(); }, false, false, false, true },
+    { "torusTetrahedra", [] { return Tetrahedra(Torus()); }, false, false, false, true },
+    { "hollowSphere", [] { return HollowSphere(); }, true },
+    { "hollowSphereTetrahedra", [] { return Tetrahedra(HollowSphere()); } },
+    { "spring", [] { return Spring(); }, true },
+    { "springTetrahedra", [] { return Tetrahedra(Spring()); }, false, false, false, true },
+    { "prisms", [] { return Prisms(); } },
+    { "slivers", [] { return Scaled(Kuhn(JitteredLattice(4, 0.15)), 1.0, 1.0, 1e-6); }, true,
+      true },
+    { "sliversL", [] { return Scaled(Kuhn(LShape()), 1e-6, 1.0, 1.0); } },
+    { "sliversGears", [] { return Scaled(Gears(), 1.0, 1e-6, 1.0); } },
+    { "latticeFar", [] { return Moved(Kuhn(Lattice(4)), 1e7, 1e7, 1e7); }, false, true },
+    { "latticeTiny", [] { return Scaled(Kuhn(Lattice(4)), 1e-7, 1e-7, 1e-7); }, true, true },
+    { "warpedThree", [] { return WarpedThree(); }, true },
+    { "bars", [] { return Bars(3, 2.2); }, true, false, true },
+    { "barsTetrahedra", [] { return Tetrahedra(Bars(3, 2.2)); }, true, false, true },
+    { "slantedGear", [] { return SlantedGear(); }, true, false, true },
+    { "slantedGearTetrahedra", [] { return Tetrahedra(SlantedGear()); }, true, false, true },
+  };
+}
+
+//------------------------------------------------------------------------------
+// A second mesh within the first.
+Grid Overlapping()
+{
+  return Join(Lattice(2), Moved(Lattice(2), 0.06, 0.07, 0.05));
+}
+
+// Three wedges that share one face.
+Grid ThreeOnOneFace()
+{
+  Grid grid = Kuhn(MeshLattice(1, 1, 1).Make());
+  const double apex[3] = { 0.9, 0.1, 0.2 };
+  const vtkIdType corners[4] = { 0, 2, 6, grid->GetPoints()->InsertNextPoint(apex) };
+  grid->InsertNextCell(VTK_TETRA, 4, corners);
+  return grid;
+}
+
+// A large cube beside four small ones: points of one in the middle of the other's face.
+Grid TJunctions()
+{
+  return Join(
+    Scaled(MeshLattice(1, 1, 1).Make(), 2, 2, 2), Moved(MeshLattice(1, 2, 2).Make(), 2, 0, 0));
+}
+
+Grid MissingCell()
+{
+  return Select(Kuhn(Lattice(3)), [](vtkIdType cell) { return cell % 29 != 13; });
+}
+
+// Every second cell turned inside out.
+Grid WrongWinding()
+{
+  Grid grid = Kuhn(LShape());
+  auto turned = Grid::New();
+  turned->SetPoints(grid->GetPoints());
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetCellPoints(cell, ids);
+    const vtkIdType first = ids->GetId(0), second = ids->GetId(1);
+    ids->SetId(0, cell % 2 ? second : first);
+    ids->SetId(1, cell % 2 ? first : second);
+    turned->InsertNextCell(VTK_TETRA, ids);
+  }
+  return turned;
+}
+
+Grid Duplicates()
+{
+  Grid grid = Kuhn(Lattice(2));
+  vtkNew<vtkIdList> ids;
+  for (const vtkIdType cell : { 3, 17, 40 })
+  {
+    grid->GetCellPoints(cell, ids);
+    grid->InsertNextCell(VTK_TETRA, ids);
+  }
+  return grid;
+}
+
+std::vector<Entry> MakeBad()
+{
+  return {
+    { "overlapping", Overlapping },
+    { "threeOnOneFace", ThreeOnOneFace },
+    { "tJunctions", TJunctions },
+    { "duplicates", Duplicates },
+    // These two are no fault: a hole is filled, and no sort trusts the winding.
+    { "missingCell", MissingCell },
+    { "wrongWinding", WrongWinding },
+  };
+}
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Entry>& SortMeshes::All()
+{
+  static const std::vector<Entry> entries = MakeGood();
+  return entries;
+}
+
+//------------------------------------------------------------------------------
+const std::vector<Entry>& SortMeshes::Bad()
+{
+  static const std::vector<Entry> entries = MakeBad();
+  return entries;
+}
+
+//------------------------------------------------------------------------------
+Grid SortMeshes::Make(const std::string& name)
+{
+  for (const auto* entries : { &All(), &Bad() })
+  {
+    for (const Entry& entry : *entries)
+    {
+      if (entry.Name == name)
+      {
+        Grid grid = entry.Make();
+        AddScalar(grid);
+        return grid;
+      }
+    }
+  }
+  return nullptr;
+}
