@@ -15,9 +15,9 @@
 #define VisibilityGraph_h
 
 #include "CellComplex.h"
+#include "ContactSigns.h"
 #include "vtkType.h"
 
-#include <array>
 #include <vector>
 
 struct ImaginaryCells;
@@ -55,20 +55,11 @@ private:
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
 
-  /** Planes about the middle of the mesh, in units of its size: x, y and z of the normal, offset.
-   */
-  using Planes = std::array<std::vector<float>, 4>;
-
   void TakeCenters(const CellComplex& complex, const ImaginaryCells* imaginary);
   void NumberCells();
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
-  void SetPlanes();
-  void SetPlane(vtkIdType contact);
 
-  bool FindSigns(const double eye[4]);
-  int UpdateSigns(vtkIdType begin, vtkIdType end, const float eye[4], float bound);
-  int DecideExactly(vtkIdType begin, vtkIdType end, const double eye[4]);
   void FindNearer();
   void FindNearer(vtkIdType cell);
   bool IsWaiting(int cell) const { return this->Cells[cell].State >= WaitingUnit; }
@@ -87,24 +78,22 @@ private:
   }
   double GetDistance(int cell, const double eye[4]) const;
 
-  const std::vector<double>* Points = nullptr;
   int NumberOfMeshCells = 0;
   double Center[3] = { 0.0, 0.0, 0.0 };
-  double Scale = 1.0;
+  double Size = 0.0;
 
   // Cells by the graph's own numbers: those of the mesh first.
   std::vector<double> Centers;
   std::vector<int> InputId;
   std::vector<int> OwnId;
   std::vector<CellComplex::Contact> Contacts;
-  Planes ContactPlanes;
   // Per cell and contact: the cell across, and the contact with the cell's side in the last bit.
   std::vector<int> LinkOffsets;
   std::vector<int> Neighbors;
   std::vector<int> ContactSides;
 
   // Per frame. LongLists: the nearer neighbours of cells with many, from their link offset on.
-  std::vector<signed char> Signs;
+  ContactSigns Signs;
   std::vector<Cell> Cells;
   std::vector<int> LongLists;
   std::vector<int> Stack;
