@@ -39,6 +39,17 @@ public:
   vtkVisibilitySort* GetVisibilitySort();
   ///@}
 
+  ///@{
+  /**
+   * Count the shared faces that came out in the wrong order (column MisorderedFaces of the
+   * statistics), for every new order; a sort that cannot say so counts none. Default: off, and then
+   * it costs nothing.
+   */
+  vtkSetMacro(ReportOrder, bool);
+  vtkGetMacro(ReportOrder, bool);
+  vtkBooleanMacro(ReportOrder, bool);
+  ///@}
+
   /**
    * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
    */
@@ -61,7 +72,9 @@ private:
   void PrepareTetrahedra(CellProjectionFrame& frame);
   bool UploadCells(CellProjectionFrame& frame);
   bool UploadField(CellProjectionFrame& frame);
-  bool UploadOrder(CellProjectionFrame& frame);
+  bool UploadOrder();
+
+  bool ReportOrder = false;
 
   class Internals;
   std::unique_ptr<Internals> Internal;
