@@ -3,9 +3,9 @@
 #include "CellProjectionFrame.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
-#include "vtkCellCenterDepthSort.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkMPVOVisibilitySort.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProvenVisibilitySort.h"
 #include "vtkRenderer.h"
@@ -40,7 +40,7 @@ vtkVisibilitySort* BackToFrontOrder::Choose(vtkVisibilitySort* sort)
   }
   if (!this->Default)
   {
-    this->Default = vtkSmartPointer<vtkCellCenterDepthSort>::New();
+    this->Default = vtkSmartPointer<vtkMPVOVisibilitySort>::New();
   }
   return this->Default;
 }

@@ -27,7 +27,7 @@ struct CellProjectionFrame;
 class BackToFrontOrder
 {
 public:
-  /// `sort` null: VTK's sort by cell centres. True where the order was computed anew. New `cells`
+  /// `sort` null: MPVO on the convexified mesh. True where the order was computed anew. New `cells`
   /// have new points and cells (as the output of vtkConvexCells has); scalars do not count.
   bool Update(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, CellProjectionFrame& frame);
 

@@ -53,6 +53,9 @@ struct ConvexificationResult
   double ImaginaryVolume = 0.0;
   /** Of the hull or the box. */
   double EnclosureVolume = 0.0;
+  /** What the cells lack or have too much of the exterior volume, as a share of the enclosure's:
+   *  rounding, unless the boundary of the mesh runs through itself. */
+  double VolumeError = 0.0;
   /** True where the mesh fills its hull already. */
   bool IsConvex = false;
   bool Aborted = false;

@@ -92,4 +92,24 @@ int SideOfDirection(
   }
   return ExactSign(exactU, exactV, exactW);
 }
+
+//------------------------------------------------------------------------------
+int Turn(const double a[2], const double b[2], const double c[2])
+{
+  const double left = (b[0] - a[0]) * (c[1] - a[1]);
+  const double right = (b[1] - a[1]) * (c[0] - a[0]);
+  const double determinant = left - right;
+  const double bound = ErrorBound * (std::fabs(left) + std::fabs(right));
+  if (determinant > bound || determinant < -bound)
+  {
+    return determinant > 0.0 ? 1 : -1;
+  }
+  Expansion<16> sum;
+  sum.Add(
+    Expansion<8>::Product(Difference::Difference(b[0], a[0]), Difference::Difference(c[1], a[1])));
+  sum.Add(
+    Expansion<8>::Product(Difference::Difference(b[1], a[1]), Difference::Difference(c[0], a[0])),
+    -1.0);
+  return sum.GetSign();
+}
 }

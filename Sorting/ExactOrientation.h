@@ -21,6 +21,9 @@ int SideOfPoint(const double a[3], const double b[3], const double c[3], const d
 int SideOfDirection(
   const double a[3], const double b[3], const double c[3], const double direction[3]);
 
+/** The sign of (b - a) x (c - a) in the plane: 1 where a, b, c turn to the left. */
+int Turn(const double a[2], const double b[2], const double c[2]);
+
 /** Either of them: `eye` is a point where eye[3] is 1, a direction (towards the eye) where it is
  *  0. */
 inline int SideOfEye(const double a[3], const double b[3], const double c[3], const double eye[4])

@@ -1,66 +1,316 @@
 #include "vtkProvenVisibilitySort.h"
-#include "CellComplex.h"
+
+#include "CellComplexReader.h"
 #include "Convexification.h"
+#include "ImaginaryGrid.h"
+#include "OrderProof.h"
+#include "ViewEye.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkDataSet.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <array>
+
+/// What the sort keeps from traversal to traversal.
 class vtkProvenVisibilitySort::Internals
 {
 public:
+  std::array<double, 4> Eye{ { 0.0, 0.0, 0.0, 1.0 } };
   std::vector<vtkIdType> Order;
+  vtkIdType Next = 0;
   vtkNew<vtkIdTypeArray> Batch;
-  vtkNew<vtkCellArray> Groups;
-  size_t Next = 0;
+
+  // What the order was made for.
+  vtkMTimeType OrderedCells = 0;
+  vtkMTimeType OrderedSort = 0;
+  std::array<double, 4> OrderedEye{ { 0.0, 0.0, 0.0, 0.0 } };
+  vtkDataSet* OrderedInput = nullptr;
+
+  CellComplex Complex;
+  ImaginaryCells Imaginary;
+  bool IsFilled = false;
+  bool HasComplex = false;
+  bool HasImaginary = false;
+  bool Reported = false;
+  vtkMTimeType BuiltCells = 0;
+  vtkDataSet* BuiltInput = nullptr;
+  bool BuiltConvexify = true;
+
+  // Answers, computed when asked for.
+  vtkIdType Misordered = -1;
+  vtkSmartPointer<vtkCellArray> Groups;
 };
+
+namespace
+{
+// Points and cells alone: new scalars make no new order.
+vtkMTimeType GetCellsTime(vtkDataSet* input)
+{
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  if (!grid || !grid->GetPoints())
+  {
+    return input->GetMTime();
+  }
+  vtkMTimeType time = std::max(grid->GetPoints()->GetMTime(), grid->GetCells()->GetMTime());
+  for (vtkObject* part : { static_cast<vtkObject*>(grid->GetPoints()->GetData()),
+         static_cast<vtkObject*>(grid->GetCells()->GetConnectivityArray()) })
+  {
+    time = std::max(time, part->GetMTime());
+  }
+  return time;
+}
+
+// Cells that are never returned, wherever they stand in the input.
+void DropImaginary(vtkDataSet* input, std::vector<vtkIdType>& order)
+{
+  if (ImaginaryGrid::HasImaginaryCells(input))
+  {
+    auto* marks = vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray("Imaginary"));
+    order.erase(std::remove_if(order.begin(), order.end(),
+                  [marks](vtkIdType cell) { return marks->GetValue(cell) != 0; }),
+      order.end());
+  }
+}
+
+// Largest share of the enclosure that rounding may cost.
+constexpr double LargestVolumeError = 1e-9;
+}
+
+//------------------------------------------------------------------------------
 vtkProvenVisibilitySort::vtkProvenVisibilitySort()
   : Internal(new Internals)
 {
 }
+
+//------------------------------------------------------------------------------
 vtkProvenVisibilitySort::~vtkProvenVisibilitySort() = default;
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::InitTraversal()
+{
+  Internals& internal = *this->Internal;
+  internal.Next = 0;
+  if (!this->Input || !this->Camera)
+  {
+    vtkErrorMacro(<< (this->Input ? "No camera: call SetCamera." : "No input: call SetInput."));
+    internal.Order.clear();
+    return;
+  }
+  if (!ViewEye::Find(this->Camera, this->InverseModelTransform, internal.Eye.data()))
+  {
+    vtkErrorMacro("The camera or the model transform is singular: there is no eye to sort for.");
+    internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
+  }
+  const vtkMTimeType cells = GetCellsTime(this->Input);
+  const vtkMTimeType own = this->GetSettingsTime();
+  if (internal.OrderedInput != this->Input || internal.OrderedCells != cells ||
+      internal.OrderedSort != own || internal.OrderedEye != internal.Eye)
+  {
+    this->SortCells(internal.Eye.data(), internal.Order);
+    DropImaginary(this->Input, internal.Order);
+    internal.Misordered = -1;
+    internal.Groups = nullptr;
+    internal.OrderedInput = this->Input;
+    internal.OrderedCells = cells;
+    internal.OrderedSort = own;
+    internal.OrderedEye = internal.Eye;
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkProvenVisibilitySort::GetSettingsTime()
+{
+  // Camera, transform, direction and batch size are not among what a cache depends on.
+  return this->SettingsTime.GetMTime();
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::SetConvexify(bool convexify)
+{
+  if (this->Convexify != convexify)
+  {
+    this->Convexify = convexify;
+    this->SettingsTime.Modified();
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
+{
+  Internals& internal = *this->Internal;
+  const auto count = static_cast<vtkIdType>(internal.Order.size());
+  const vtkIdType size = std::min<vtkIdType>(this->MaxCellsReturned, count - internal.Next);
+  if (size <= 0)
+  {
+    return nullptr;
+  }
+  internal.Batch->SetNumberOfValues(size);
+  vtkIdType* ids = internal.Batch->GetPointer(0);
+  if (this->Direction == BACK_TO_FRONT)
+  {
+    std::copy_n(internal.Order.begin() + internal.Next, size, ids);
+  }
+  else
+  {
+    std::copy_n(internal.Order.rbegin() + internal.Next, size, ids);
+  }
+  internal.Next += size;
+  return internal.Batch;
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::ForgetComplex()
+{
+  Internals& internal = *this->Internal;
+  const vtkMTimeType cells = GetCellsTime(this->Input);
+  if (internal.BuiltInput == this->Input && internal.BuiltCells == cells)
+  {
+    return;
+  }
+  internal.BuiltInput = this->Input;
+  internal.BuiltCells = cells;
+  internal.HasComplex = false;
+  internal.HasImaginary = false;
+}
+
+//------------------------------------------------------------------------------
+const CellComplex& vtkProvenVisibilitySort::GetComplex()
+{
+  Internals& internal = *this->Internal;
+  this->ForgetComplex();
+  if (!internal.HasComplex)
+  {
+    CellComplexReader::Read(this->Input, internal.Complex);
+    internal.HasComplex = true;
+    internal.HasImaginary = false;
+    internal.Reported = false;
+    this->ComplexTime.Modified();
+  }
+  return internal.Complex;
+}
+
+//------------------------------------------------------------------------------
+const ImaginaryCells& vtkProvenVisibilitySort::GetImaginaryCells()
+{
+  Internals& internal = *this->Internal;
+  this->GetComplex();
+  if (internal.HasImaginary && internal.BuiltConvexify == this->Convexify)
+  {
+    return internal.Imaginary;
+  }
+  internal.HasImaginary = true;
+  internal.BuiltConvexify = this->Convexify;
+  internal.IsFilled = false;
+  internal.Imaginary = ImaginaryCells();
+  this->ComplexTime.Modified();
+  if (ImaginaryGrid::Take(this->Input, internal.Complex, internal.Imaginary))
+  {
+    internal.IsFilled = true;
+  }
+  else if (this->Convexify)
+  {
+    ConvexificationResult result =
+      Convexification::Run(internal.Complex, ConvexificationSettings());
+    internal.IsFilled = result.VolumeError <= LargestVolumeError;
+    internal.Imaginary = std::move(result.Cells);
+  }
+  this->ReportComplex();
+  return internal.Imaginary;
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::ReportComplex()
+{
+  const CellComplex& complex = this->Internal->Complex;
+  if (!this->Internal->Reported &&
+      (complex.NumberOfNonManifoldFaces > 0 || complex.NumberOfOverlappingFaces > 0))
+  {
+    vtkWarningMacro(
+      "The cells are no complex: "
+      << complex.NumberOfNonManifoldFaces << " faces are shared by more than two cells, "
+      << complex.NumberOfOverlappingFaces
+      << " by cells on the same side. They are sorted, but their order cannot be proven.");
+  }
+  this->Internal->Reported = true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkProvenVisibilitySort::IsComplexConvex()
+{
+  this->GetImaginaryCells();
+  const CellComplex& complex = this->Internal->Complex;
+  return this->Internal->IsFilled && complex.NumberOfNonManifoldFaces == 0 &&
+         complex.NumberOfOverlappingFaces == 0;
+}
+
+//------------------------------------------------------------------------------
+vtkCellArray* vtkProvenVisibilitySort::GetCyclicGroups()
+{
+  Internals& internal = *this->Internal;
+  if (!internal.Groups)
+  {
+    std::vector<vtkIdType> cells, offsets;
+    this->FindCyclicGroups(cells, offsets);
+    internal.Groups = vtkSmartPointer<vtkCellArray>::New();
+    for (size_t group = 0; group + 1 < offsets.size(); ++group)
+    {
+      internal.Groups->InsertNextCell(
+        offsets[group + 1] - offsets[group], cells.data() + offsets[group]);
+    }
+  }
+  return internal.Groups;
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::FindCyclicGroups(
+  std::vector<vtkIdType>& cells, std::vector<vtkIdType>& offsets)
+{
+  cells.clear();
+  offsets.assign(1, 0);
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkProvenVisibilitySort::GetNumberOfCycles()
+{
+  return this->GetCyclicGroups()->GetNumberOfCells();
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkProvenVisibilitySort::GetNumberOfMisorderedFaces()
+{
+  Internals& internal = *this->Internal;
+  if (internal.Misordered < 0 && this->Input)
+  {
+    internal.Misordered =
+      OrderProof::CountMisordered(this->GetComplex(), internal.Order, internal.Eye.data());
+  }
+  return internal.Misordered;
+}
+
+//------------------------------------------------------------------------------
+bool vtkProvenVisibilitySort::IsOrderProven()
+{
+  return this->Input && this->IsComplexConvex() && this->GetNumberOfCycles() == 0 &&
+         this->GetNumberOfMisorderedFaces() == 0 && this->IsOrderRightAcrossGaps();
+}
+
+//------------------------------------------------------------------------------
+bool vtkProvenVisibilitySort::IsOrderRightAcrossGaps()
+{
+  return this->GetImaginaryCells().GetNumberOfCells() == 0;
+}
+
+//------------------------------------------------------------------------------
 void vtkProvenVisibilitySort::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Convexify: " << (this->Convexify ? "On" : "Off") << "\n";
 }
-void vtkProvenVisibilitySort::InitTraversal()
-{
-  double eye[4] = { 0, 0, 0, 1 };
-  this->Camera->GetPosition(eye);
-  this->InverseModelTransform->MultiplyPoint(eye, eye);
-  this->Internal->Next = 0;
-  this->Internal->Order.clear();
-  this->SortCells(eye, this->Internal->Order);
-}
-vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
-{
-  auto& in = *this->Internal;
-  if (in.Next >= in.Order.size())
-    return nullptr;
-  in.Batch->Reset();
-  for (int i = 0; i < this->MaxCellsReturned && in.Next < in.Order.size(); ++i)
-    in.Batch->InsertNextValue(in.Order[in.Next++]);
-  return in.Batch;
-}
-vtkIdType vtkProvenVisibilitySort::GetNumberOfCycles()
-{
-  return GetCyclicGroups()->GetNumberOfCells();
-}
-vtkCellArray* vtkProvenVisibilitySort::GetCyclicGroups()
-{
-  std::vector<vtkIdType> cells, offsets;
-  this->FindCyclicGroups(cells, offsets);
-  this->Internal->Groups->Initialize();
-  for (size_t i = 0; i + 1 < offsets.size(); ++i)
-    this->Internal->Groups->InsertNextCell(offsets[i + 1] - offsets[i], cells.data() + offsets[i]);
-  return this->Internal->Groups;
-}
-vtkIdType vtkProvenVisibilitySort::GetNumberOfMisorderedFaces()
-{
-  return 0;
-}
-bool vtkProvenVisibilitySort::IsOrderProven()
-{
-  return false;
-}
-void vtkProvenVisibilitySort::FindCyclicGroups(std::vector<vtkIdType>&, std::vector<vtkIdType>&) {}

@@ -23,6 +23,7 @@
 #define vtkProvenVisibilitySort_h
 
 #include "vtkCellProjectionModule.h" // for export macro
+#include "vtkTimeStamp.h"
 #include "vtkVisibilitySort.h"
 
 #include <memory> // for std::unique_ptr
@@ -46,7 +47,7 @@ public:
    * Fill concavities, holes and gaps with imaginary cells, where the order needs it and the input
    * does not carry such cells already. Default: on.
    */
-  vtkSetMacro(Convexify, bool);
+  void SetConvexify(bool convexify);
   vtkGetMacro(Convexify, bool);
   vtkBooleanMacro(Convexify, bool);
   ///@}
@@ -106,9 +107,28 @@ protected:
    */
   bool IsComplexConvex();
 
+  /**
+   * Whether cells that a gap separates are in order too. Default: where there is no gap.
+   */
+  virtual bool IsOrderRightAcrossGaps();
+
+  /**
+   * When complex or imaginary cells were built last.
+   */
+  vtkTimeStamp ComplexTime;
+
+  /**
+   * When a setting changed that the order depends on.
+   */
+  vtkTimeStamp SettingsTime;
+
 private:
   vtkProvenVisibilitySort(const vtkProvenVisibilitySort&) = delete;
   void operator=(const vtkProvenVisibilitySort&) = delete;
+
+  vtkMTimeType GetSettingsTime();
+  void ForgetComplex();
+  void ReportComplex();
 
   bool Convexify = true;
 

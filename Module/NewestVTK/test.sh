@@ -15,4 +15,3 @@ for window in vtkEGLRenderWindow vtkOSOpenGLRenderWindow; do
   $inside build-newest/bin/CellProjectionTests TestWindow
   $inside make test BUILD=build-newest "CMAKE_OPTIONS=$options" "LABEL=$label"
 done
-echo "test-newest: passed with vtkEGLRenderWindow and vtkOSOpenGLRenderWindow"

@@ -13,6 +13,13 @@
 vtkStandardNewMacro(GroupSort);
 
 //------------------------------------------------------------------------------
+void GroupSort::Modified()
+{
+  this->SettingsTime.Modified();
+  this->Superclass::Modified();
+}
+
+//------------------------------------------------------------------------------
 void GroupSort::FindInnerOrder(std::vector<vtkIdType>& order)
 {
   order.clear();

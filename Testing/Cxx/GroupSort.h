@@ -15,6 +15,9 @@ public:
   static GroupSort* New();
   vtkTypeMacro(GroupSort, vtkProvenVisibilitySort);
 
+  /// Forgets the last order.
+  void Modified() override;
+
   /// The order in which the groups follow each other; null: that of the cells' numbers.
   vtkSmartPointer<vtkVisibilitySort> Inner;
   /// Every other GroupSize cells of that order are a group; 0: all are one.

@@ -1,0 +1,97 @@
+#include "CellFaces.h"
+
+#include "ExactOrientation.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// The volume of a tetrahedron but for a factor, rounded.
+double Height(const double* a, const double* b, const double* c, const double* p)
+{
+  double u[3], v[3], w[3];
+  vtkMath::Subtract(b, a, u);
+  vtkMath::Subtract(c, a, v);
+  vtkMath::Subtract(p, a, w);
+  return vtkMath::Determinant3x3(u, v, w);
+}
+
+// The polygon from its smallest id on, without ids that repeat.
+void Tidy(std::vector<int>& face)
+{
+  face.erase(std::unique(face.begin(), face.end()), face.end());
+  while (face.size() > 1 && face.front() == face.back())
+  {
+    face.pop_back();
+  }
+  std::rotate(face.begin(), std::min_element(face.begin(), face.end()), face.end());
+}
+}
+
+//------------------------------------------------------------------------------
+void CellFaces::AddTriangle(int cell, const int corners[3], int side, bool secondary)
+{
+  FaceTriangle triangle{ { corners[0], corners[1], corners[2] }, cell,
+    static_cast<signed char>(side), secondary };
+  std::sort(triangle.Points, triangle.Points + 3);
+  this->Triangles.push_back(triangle);
+}
+
+//------------------------------------------------------------------------------
+void CellFaces::AddTetrahedron(int cell, const int corners[4])
+{
+  int c[4];
+  std::copy_n(corners, 4, c);
+  std::sort(c, c + 4);
+  // One determinant tells all four sides: exchanging two points turns its sign.
+  const int side = c[0] == c[1] || c[1] == c[2] || c[2] == c[3]
+                     ? 0
+                     : ExactOrientation::SideOfPoint(
+                         this->At(c[0]), this->At(c[1]), this->At(c[2]), this->At(c[3]));
+  for (int left = 0; left < 4; ++left)
+  {
+    const int face[3] = { c[left == 0 ? 1 : 0], c[left < 2 ? 2 : 1], c[left < 3 ? 3 : 2] };
+    if (face[0] != face[1] && face[1] != face[2])
+    {
+      this->AddTriangle(cell, face, left % 2 == 1 ? side : -side, false);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void CellFaces::AddFace(int cell, std::vector<int> face, const std::vector<int>& cellPoints)
+{
+  Tidy(face);
+  for (size_t i = 2; i < face.size(); ++i)
+  {
+    int corners[3] = { face[0], face[i - 1], face[i] };
+    std::sort(corners, corners + 3);
+    this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), i > 2);
+  }
+}
+
+//------------------------------------------------------------------------------
+int CellFaces::FindSide(
+  const int corners[3], const std::vector<int>& face, const std::vector<int>& cellPoints) const
+{
+  const double *a = this->At(corners[0]), *b = this->At(corners[1]), *c = this->At(corners[2]);
+  // The cell's corner that is farthest from the face decides: on a warped face others mislead.
+  double largest = -1.0;
+  int side = 0;
+  for (const int point : cellPoints)
+  {
+    if (std::find(face.begin(), face.end(), point) == face.end())
+    {
+      const double height = std::abs(Height(a, b, c, this->At(point)));
+      if (height > largest)
+      {
+        const int exact = ExactOrientation::SideOfPoint(a, b, c, this->At(point));
+        side = exact != 0 ? exact : side;
+        largest = exact != 0 ? height : largest;
+      }
+    }
+  }
+  return side;
+}

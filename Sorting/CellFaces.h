@@ -1,0 +1,48 @@
+/**
+ * The triangles of cells' faces, each with the side of its plane on which its cell lies.
+ */
+#ifndef CellFaces_h
+#define CellFaces_h
+
+#include <vector>
+
+/** A triangle of a face. */
+struct FaceTriangle
+{
+  /** Ascending. */
+  int Points[3];
+  int Cell;
+  /** 1 where the cell lies on the side to which (p1 - p0) x (p2 - p0) points, -1 on the other, 0
+   *  where the cell is flat. */
+  signed char Side;
+  /** Not the first triangle of its face. */
+  bool Secondary;
+};
+
+class CellFaces
+{
+public:
+  /** `points`: three per point. */
+  explicit CellFaces(const double* points)
+    : Points(points)
+  {
+  }
+
+  /** Four corners in any order. */
+  void AddTetrahedron(int cell, const int corners[4]);
+  /** A face of a convex cell whose corners are `cellPoints`: a fan from its smallest id. Ids that
+   *  repeat are taken once. */
+  void AddFace(int cell, std::vector<int> face, const std::vector<int>& cellPoints);
+
+  std::vector<FaceTriangle> Triangles;
+
+private:
+  void AddTriangle(int cell, const int corners[3], int side, bool secondary);
+  int FindSide(
+    const int corners[3], const std::vector<int>& face, const std::vector<int>& cellPoints) const;
+  const double* At(int point) const { return this->Points + 3 * static_cast<long long>(point); }
+
+  const double* Points;
+};
+
+#endif
