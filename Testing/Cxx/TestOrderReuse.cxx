@@ -6,6 +6,7 @@
 
 #include "vtkCellArray.h"
 #include "vtkConvexCells.h"
+#include "vtkMPVOVisibilitySort.h"
 #include "vtkPointData.h"
 
 #include <functional>
@@ -98,12 +99,34 @@ void CheckFilter(TestChecks& checks)
   CHECK(output->GetCells()->GetMTime() > before);
   CHECK(output->GetNumberOfCells() == 2);
 }
+
+// An eye that turns, or moves without crossing the plane of a face, needs no new order.
+void CheckEye(TestChecks& checks)
+{
+  TestScene scene;
+  scene.SetGrid(TestMeshes::SixTetrahedra());
+  vtkNew<vtkMPVOVisibilitySort> sort;
+  scene.Mapper->SetVisibilitySort(sort);
+  scene.Render();
+  auto before = scene.CopyCaptured();
+  CHECK(sort->GetNumberOfSorts() == 1);
+  scene.Renderer->GetActiveCamera()->Roll(30.0);
+  scene.Render();
+  scene.Renderer->GetActiveCamera()->Dolly(1.01);
+  scene.Render();
+  CHECK(TestScene::Difference(before, scene.Mapper->GetCapturedImage()) > 1e-2);
+  CHECK(sort->GetNumberOfSorts() == 1);
+  scene.LookFrom(-0.5, -0.8, -2.2);
+  scene.Render();
+  CHECK(sort->GetNumberOfSorts() == 2);
+}
 }
 
 int TestOrderReuse(int, char*[])
 {
   TestChecks checks;
   CheckFilter(checks);
+  CheckEye(checks);
   TestScene scene;
   auto grid = TestMeshes::SixTetrahedra();
   scene.SetGrid(grid);
