@@ -17,7 +17,8 @@ void DrawnCells::Append(
   }
   const int count = static_cast<int>(this->Cells.size()) - first;
   // What is left of a group may be a single cell, which hides nothing but itself.
-  const bool peeled = isCyclic && count > 1;
+  const bool peeled = isCyclic && count > 1 && count <= LargestGroup;
+  this->NumberOfUnresolvedCells += isCyclic && count > LargestGroup ? count : 0;
   if (count == 0)
   {
     return;
@@ -36,6 +37,7 @@ void DrawnCells::Build(const BackToFrontOrder& order, const TetrahedraSelection&
   this->Cells.clear();
   this->Cells.reserve(order.Cells.size());
   this->Runs.clear();
+  this->NumberOfUnresolvedCells = 0;
   const vtkIdType* cells = order.Cells.data();
   vtkIdType done = 0;
   for (const BackToFrontOrder::Span& group : order.CyclicGroups)

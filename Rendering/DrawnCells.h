@@ -27,6 +27,11 @@ public:
 
   std::vector<unsigned int> Cells;
   std::vector<Run> Runs;
+  /// Cells of groups beyond LargestGroup: they are drawn as they come, not resolved.
+  vtkIdType NumberOfUnresolvedCells = 0;
+
+  /// Peeling costs the group twice per layer: a larger one takes a minute a frame in software.
+  static constexpr int LargestGroup = 1500;
 
 private:
   void Append(const vtkIdType* begin, const vtkIdType* end, const TetrahedraSelection& selection,

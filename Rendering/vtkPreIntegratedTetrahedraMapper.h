@@ -21,7 +21,8 @@ class vtkVisibilitySort;
  * The order is that of the visibility sort; by default one that is right for any mesh of cells that
  * do not overlap. Cells that a vtkProvenVisibilitySort names as hiding each other in a circle are
  * put in order per pixel, after Kraus and Ertl, "Cell-projection of cyclic meshes", 2001, here by
- * peeling: such a group is drawn twice for every cell that lies behind another in it at some pixel.
+ * peeling: a group of up to 1,500 is drawn twice for every cell that lies behind another in it at
+ * some pixel.
  *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */
