@@ -134,7 +134,8 @@ void VisibilityGraph::LinkCells()
 bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
 {
   const bool changed = this->Signs.Update(this->Contacts, eye);
-  if (this->Sorted && !changed && centersFirst == this->SortedByCenters)
+  // What the centres tell apart changes without a sign.
+  if (this->Sorted && !changed && !centersFirst && !this->SortedByCenters)
   {
     return false;
   }
