@@ -14,8 +14,73 @@ void BoundaryRelations::Build(const CellComplex& complex)
 {
   this->Complex = &complex;
   this->Tree.Build(complex);
+  this->FindSpheres();
   this->SetPlanes();
   this->LinkCells();
+}
+
+//------------------------------------------------------------------------------
+void BoundaryRelations::FindSpheres()
+{
+  this->Spheres.clear();
+  for (const BoundaryBSP::Fragment& fragment : this->Tree.GetFragments())
+  {
+    const BoundaryBSP::Point* p = this->Tree.GetCorners(fragment);
+    const int count = fragment.End - fragment.Begin;
+    std::array<double, 4> sphere{ { 0.0, 0.0, 0.0, 0.0 } };
+    for (int i = 0; i < 3 * count; ++i)
+    {
+      sphere[i % 3] += p[i / 3][i % 3] / count;
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      const double square = vtkMath::Distance2BetweenPoints(p[i].data(), sphere.data());
+      // A little more than rounding can take away.
+      sphere[3] = std::max(sphere[3], 1.001 * std::sqrt(square));
+    }
+    this->Spheres.push_back(sphere);
+  }
+}
+
+//------------------------------------------------------------------------------
+void BoundaryRelations::FindShapes(const double eye[4])
+{
+  this->Shapes.resize(this->Spheres.size());
+  const double square = vtkMath::Dot(eye, eye);
+  for (std::size_t at = 0; at < this->Spheres.size(); ++at)
+  {
+    const std::array<double, 4>& sphere = this->Spheres[at];
+    Shape& shape = this->Shapes[at];
+    if (eye[3] == 0.0)
+    {
+      const double along = vtkMath::Dot(sphere.data(), eye) / square;
+      for (int i = 0; i < 3; ++i)
+      {
+        shape.Axis[i] = sphere[i] - along * eye[i];
+      }
+      shape.Sine = sphere[3];
+      continue;
+    }
+    vtkMath::Subtract(sphere.data(), eye, shape.Axis);
+    const double distance = vtkMath::Normalize(shape.Axis);
+    shape.Sine = distance > sphere[3] ? sphere[3] / distance : 1.0;
+    shape.Cosine = std::sqrt(1.0 - shape.Sine * shape.Sine);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool BoundaryRelations::MayOverlap(bool parallel, int first, int second) const
+{
+  const Shape& a = this->Shapes[first];
+  const Shape& b = this->Shapes[second];
+  if (parallel)
+  {
+    const double reach = a.Sine + b.Sine;
+    return vtkMath::Distance2BetweenPoints(a.Axis, b.Axis) <= reach * reach;
+  }
+  // About an eye within one of the spheres there is no cone.
+  return a.Sine >= 1.0 || b.Sine >= 1.0 ||
+         vtkMath::Dot(a.Axis, b.Axis) >= a.Cosine * b.Cosine - a.Sine * b.Sine - 1e-9;
 }
 
 //------------------------------------------------------------------------------
@@ -230,6 +295,10 @@ bool BoundaryRelations::Overlap(const double eye[4], int first, int second) cons
 {
   const BoundaryBSP::Fragment& a = this->Tree.GetFragments()[first];
   const BoundaryBSP::Fragment& b = this->Tree.GetFragments()[second];
+  if (!this->MayOverlap(eye[3] == 0.0, first, second))
+  {
+    return false;
+  }
   if (this->AnEdgeSeparates(eye, a, b) || this->AnEdgeSeparates(eye, b, a))
   {
     return false;
@@ -316,6 +385,7 @@ void BoundaryRelations::Sort(const double eye[4], std::vector<vtkIdType>& order)
   this->FindSigns(eye);
   this->Tree.Traverse(eye, this->Visits);
   this->CountWaiting();
+  this->FindShapes(eye);
   for (int cell = 0; cell < this->Complex->NumberOfCells; ++cell)
   {
     // Nothing behind it, and no ray enters it from outside: the eye is within, or sees it edge-on.

@@ -19,6 +19,7 @@
 #include "CellComplex.h"
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 class BoundaryRelations
@@ -57,7 +58,18 @@ private:
     int Next;
   };
 
+  /** What a fragment looks like to the eye, at most: a cone about a direction; in parallel
+   *  projection a disk about a point of the image, of radius Sine. */
+  struct Shape
+  {
+    double Axis[3];
+    double Sine, Cosine;
+  };
+
   void SetPlanes();
+  void FindSpheres();
+  void FindShapes(const double eye[4]);
+  bool MayOverlap(bool parallel, int first, int second) const;
   void LinkCells();
   void FindSigns(const double eye[4]);
   void CountWaiting();
@@ -80,7 +92,11 @@ private:
   std::vector<Link> Links;
   std::vector<int> LinkOffsets;
 
+  /** About each fragment: centre and radius. */
+  std::vector<std::array<double, 4>> Spheres;
+
   std::vector<signed char> Signs;
+  std::vector<Shape> Shapes;
   std::vector<BoundaryBSP::Visit> Visits;
   std::vector<int> Waiting;
   std::vector<char> Drawn;
