@@ -41,7 +41,8 @@ std::vector<Entry> MakeGood()
     { "gearsFloat", [] { return AsFloat(Tetrahedra(Gears())); } },
     { "gearsFar", [] { return Moved(Tetrahedra(Gears()), 1e7, -2e7, 1.5e7); } },
     { "gearsTiny", [] { return Scaled(Tetrahedra(Gears()), 1e-7, 1e-7, 1e-7); } },
-    { "torus", [] { return Torus(); }, false, false, false, true },
+    // Flat faces, but for rounding: seen edge-on, their triangles may disagree.
+    { "torus", [] { return Torus(); }, true, false, false, true },
     { "torusTetrahedra", [] { return Tetrahedra(Torus()); }, false, false, false, true },
     { "hollowSphere", [] { return HollowSphere(); }, true },
     { "hollowSphereTetrahedra", [] { return Tetrahedra(HollowSphere()); } },
