@@ -26,7 +26,8 @@ void PowerCells::Initialize(vtkIdType numberOfCells, const double bounds[6])
   double size = 0.0;
   for (int axis = 0; axis < 3; ++axis)
   {
-    this->Center[axis] = 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1];
+    const double center = 0.5 * bounds[2 * axis] + 0.5 * bounds[2 * axis + 1];
+    this->Center[axis] = std::isfinite(center) ? center : 0.0;
     size = std::max(size, 0.5 * bounds[2 * axis + 1] - 0.5 * bounds[2 * axis]);
   }
   // A power of two: coordinates lose no bit to it.
