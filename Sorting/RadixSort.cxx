@@ -1,0 +1,110 @@
+#include "RadixSort.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+namespace
+{
+constexpr int MaximumValues = 1 << 11;
+// A thread costs more to wake than this many items cost to sort.
+constexpr std::size_t SmallestShare = 8192;
+
+std::size_t BeginOf(int share, int shares, std::size_t count)
+{
+  return count * static_cast<std::size_t>(share) / static_cast<std::size_t>(shares);
+}
+
+template <typename Work>
+void ForEachShare(int shares, Work work)
+{
+  vtkSMPTools::For(0, shares, 1,
+    [&work](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType share = begin; share < end; ++share)
+      {
+        work(static_cast<int>(share));
+      }
+    });
+}
+}
+
+//------------------------------------------------------------------------------
+struct RadixSort::Digit
+{
+  int Shift;
+  std::uint32_t Mask;
+  std::uint32_t Of(const Item& item) const { return item.Key >> this->Shift & this->Mask; }
+};
+
+//------------------------------------------------------------------------------
+void RadixSort::SetNumberOfItems(std::size_t count)
+{
+  this->Items.resize(count);
+  this->Sorted.resize(count);
+}
+
+//------------------------------------------------------------------------------
+void RadixSort::Count(int share, int shares, const Digit& digit)
+{
+  std::uint32_t* places = this->Places.data() + static_cast<std::size_t>(share) * MaximumValues;
+  std::fill_n(places, MaximumValues, 0);
+  const std::size_t end = BeginOf(share + 1, shares, this->Items.size());
+  for (std::size_t i = BeginOf(share, shares, this->Items.size()); i < end; ++i)
+  {
+    ++places[digit.Of(this->Items[i])];
+  }
+}
+
+//------------------------------------------------------------------------------
+// False where all items have the same value.
+bool RadixSort::Accumulate(int shares, const Digit& digit)
+{
+  std::uint32_t place = 0;
+  for (std::uint32_t value = 0; value <= digit.Mask; ++value)
+  {
+    const std::uint32_t before = place;
+    for (int share = 0; share < shares; ++share)
+    {
+      std::uint32_t& entry = this->Places[static_cast<std::size_t>(share) * MaximumValues + value];
+      const std::uint32_t count = entry;
+      entry = place;
+      place += count;
+    }
+    if (place - before == this->Items.size())
+    {
+      return false;
+    }
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void RadixSort::Scatter(int share, int shares, const Digit& digit)
+{
+  std::uint32_t* places = this->Places.data() + static_cast<std::size_t>(share) * MaximumValues;
+  const std::size_t end = BeginOf(share + 1, shares, this->Items.size());
+  for (std::size_t i = BeginOf(share, shares, this->Items.size()); i < end; ++i)
+  {
+    const Item item = this->Items[i];
+    this->Sorted[places[digit.Of(item)]++] = item;
+  }
+}
+
+//------------------------------------------------------------------------------
+void RadixSort::Sort()
+{
+  const std::size_t most = this->Items.size() / SmallestShare + 1;
+  const int shares = static_cast<int>(
+    std::min<std::size_t>(most, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads())));
+  this->Places.resize(static_cast<std::size_t>(shares) * MaximumValues);
+  for (const Digit& digit : { Digit{ 0, 0x7ff }, Digit{ 11, 0x7ff }, Digit{ 22, 0x3ff } })
+  {
+    ForEachShare(shares, [&](int share) { this->Count(share, shares, digit); });
+    if (this->Accumulate(shares, digit))
+    {
+      ForEachShare(shares, [&](int share) { this->Scatter(share, shares, digit); });
+      this->Items.swap(this->Sorted);
+    }
+  }
+}
