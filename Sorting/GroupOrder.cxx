@@ -1,44 +1,46 @@
 #include "GroupOrder.h"
 
-#include <set>
-#include <unordered_map>
+#include "StrongComponents.h"
 
-namespace GroupOrder
+#include <algorithm>
+#include <set>
+
+namespace
 {
-//------------------------------------------------------------------------------
-void Sort(
-  std::vector<int>& cells, const std::function<void(int cell, const Visit& visit)>& visitNearer)
+using Relations = std::vector<std::pair<int, int>>;
+
+// The items that the relations lead to, one list per item.
+std::vector<std::vector<int>> ListTargets(int count, const Relations& relations, bool forward)
 {
-  std::unordered_map<int, int> placeOf;
-  for (size_t place = 0; place < cells.size(); ++place)
+  std::vector<std::vector<int>> lists(static_cast<size_t>(count));
+  for (const auto& relation : relations)
   {
-    placeOf[cells[place]] = static_cast<int>(place);
+    lists[forward ? relation.first : relation.second].push_back(
+      forward ? relation.second : relation.first);
   }
-  std::vector<int> waiting(cells.size(), 0);
-  const auto forNearer = [&](int place, const Visit& visit)
+  return lists;
+}
+
+void SortCircle(std::vector<int>& circle, const std::vector<std::vector<int>>& after)
+{
+  std::sort(circle.begin(), circle.end());
+  std::vector<int> waiting(circle.size(), 0);
+  const auto forAfter = [&](int item, const auto& act)
   {
-    visitNearer(cells[place],
-      [&](int cell)
+    for (const int next : after[item])
+    {
+      const auto found = std::lower_bound(circle.begin(), circle.end(), next);
+      if (found != circle.end() && *found == next)
       {
-        const auto found = placeOf.find(cell);
-        if (found != placeOf.end())
-        {
-          visit(found->second);
-        }
-      });
+        act(static_cast<int>(found - circle.begin()));
+      }
+    }
   };
   std::set<int> left, free;
-  for (int place = 0; place < static_cast<int>(cells.size()); ++place)
+  for (int place = 0; place < static_cast<int>(circle.size()); ++place)
   {
-    forNearer(place, [&](int nearer) { ++waiting[nearer]; });
+    forAfter(circle[place], [&](int next) { ++waiting[next]; });
     left.insert(place);
-  }
-  for (const int place : left)
-  {
-    if (waiting[place] == 0)
-    {
-      free.insert(place);
-    }
   }
   std::vector<int> sorted;
   while (!left.empty())
@@ -46,16 +48,44 @@ void Sort(
     const int place = free.empty() ? *left.begin() : *free.begin();
     free.erase(place);
     left.erase(place);
-    sorted.push_back(cells[place]);
-    forNearer(place,
-      [&](int nearer)
+    sorted.push_back(circle[place]);
+    forAfter(circle[place],
+      [&](int next)
       {
-        if (--waiting[nearer] == 0 && left.count(nearer) > 0)
+        if (--waiting[next] == 0 && left.count(next) > 0)
         {
-          free.insert(nearer);
+          free.insert(next);
         }
       });
   }
-  cells = std::move(sorted);
+  circle = std::move(sorted);
+}
+}
+
+namespace GroupOrder
+{
+//------------------------------------------------------------------------------
+std::vector<std::vector<int>> Find(int count, const Relations& relations)
+{
+  const std::vector<std::vector<int>> after = ListTargets(count, relations, true);
+  const std::vector<std::vector<int>> before = ListTargets(count, relations, false);
+  std::vector<std::vector<int>> groups;
+  // Walked against the relations, a circle is given out after all that comes before it.
+  StrongComponents components(count);
+  const auto getEdge = [&](int item, int edge)
+  { return edge < static_cast<int>(before[item].size()) ? before[item][edge] : -2; };
+  for (int item = 0; item < count; ++item)
+  {
+    if (!components.HasSeen(item))
+    {
+      components.Walk(item, getEdge,
+        [&](std::vector<int>& circle)
+        {
+          SortCircle(circle, after);
+          groups.push_back(circle);
+        });
+    }
+  }
+  return groups;
 }
 }

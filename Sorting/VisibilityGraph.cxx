@@ -1,6 +1,7 @@
 #include "VisibilityGraph.h"
 
 #include "Convexification.h"
+#include "GapRelations.h"
 #include "GroupOrder.h"
 #include "MortonOrder.h"
 #include "StrongComponents.h"
@@ -10,10 +11,12 @@
 
 #include <algorithm>
 #include <numeric>
+#include <set>
 
 //------------------------------------------------------------------------------
 void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* imaginary)
 {
+  this->Points = &complex.Points;
   this->NumberOfMeshCells = complex.NumberOfCells;
   this->TakeCenters(complex, imaginary);
   this->NumberCells();
@@ -131,7 +134,8 @@ void VisibilityGraph::LinkCells()
 bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
 {
   const bool changed = this->Signs.Update(this->Contacts, eye);
-  if (this->Sorted && !changed && centersFirst == this->SortedByCenters)
+  // What the centres tell apart changes without a sign.
+  if (this->Sorted && !changed && !centersFirst && !this->SortedByCenters)
   {
     return false;
   }
@@ -271,32 +275,82 @@ void VisibilityGraph::TakeInputIds()
 //------------------------------------------------------------------------------
 void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
 {
-  group.erase(std::remove_if(
-                group.begin(), group.end(), [this](int cell) { return !this->IsMeshCell(cell); }),
-    group.end());
   std::sort(group.begin(), group.end(),
     [&](int a, int b) { return this->GetDistance(a, eye) > this->GetDistance(b, eye); });
-  // Shared faces alone may have no circle: gaps that were filled are the usual cause of one.
-  GroupOrder::Sort(group,
-    [this](int cell, const GroupOrder::Visit& visit)
-    {
-      for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
-      {
-        if (this->CompareAcross(link) > 0)
-        {
-          visit(this->Neighbors[link]);
-        }
-      }
-    });
-  this->OwnOrder.insert(this->OwnOrder.end(), group.begin(), group.end());
-  if (group.size() > 1)
+  const auto imaginary = std::stable_partition(
+    group.begin(), group.end(), [this](int cell) { return this->IsMeshCell(cell); });
+  std::unordered_map<int, int> placeOf;
+  for (auto cell = group.begin(); cell != imaginary; ++cell)
   {
-    for (const int cell : group)
-    {
-      this->GroupCells.push_back(this->InputId[cell]);
-    }
-    this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
+    placeOf.emplace(*cell, static_cast<int>(placeOf.size()));
   }
+  std::vector<std::pair<int, int>> relations = this->FindRelations(group, placeOf);
+  if (imaginary != group.end())
+  {
+    // That three cells follow each other through gaps does not mean that a ray meets the first and
+    // the last: without the imaginary cells most circles are none.
+    const std::vector<std::pair<int, int>> gaps = this->FindGapRelations(placeOf, eye);
+    relations.insert(relations.end(), gaps.begin(), gaps.end());
+  }
+  for (const std::vector<int>& circle :
+    GroupOrder::Find(static_cast<int>(placeOf.size()), relations))
+  {
+    for (const int place : circle)
+    {
+      this->OwnOrder.push_back(group[place]);
+      if (circle.size() > 1)
+      {
+        this->GroupCells.push_back(this->InputId[group[place]]);
+      }
+    }
+    if (circle.size() > 1)
+    {
+      this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, int>> VisibilityGraph::FindRelations(
+  const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const
+{
+  std::vector<std::pair<int, int>> relations;
+  for (int place = 0; place < static_cast<int>(placeOf.size()); ++place)
+  {
+    const int cell = group[place];
+    for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
+    {
+      const auto nearer = placeOf.find(this->Neighbors[link]);
+      if (nearer != placeOf.end() && this->CompareAcross(link) > 0)
+      {
+        relations.emplace_back(place, nearer->second);
+      }
+    }
+  }
+  return relations;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
+  const std::unordered_map<int, int>& placeOf, const double eye[4]) const
+{
+  std::vector<GapTriangle> far, near;
+  std::set<std::array<int, 4>> seen;
+  for (const auto& cell : placeOf)
+  {
+    for (int link = this->LinkOffsets[cell.first]; link < this->LinkOffsets[cell.first + 1]; ++link)
+    {
+      const int across = this->CompareAcross(link);
+      const int* p = this->Contacts[this->ContactSides[link] >> 1].Points;
+      // A triangle may touch several imaginary cells.
+      if (!this->IsMeshCell(this->Neighbors[link]) && across != 0 &&
+          seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
+      {
+        (across > 0 ? far : near).push_back({ { p[0], p[1], p[2] }, cell.second });
+      }
+    }
+  }
+  return GapRelations::Find(this->Points->data(), far, near, eye);
 }
 
 //------------------------------------------------------------------------------

@@ -18,6 +18,8 @@
 #include "ContactSigns.h"
 #include "vtkType.h"
 
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 struct ImaginaryCells;
@@ -30,8 +32,8 @@ public:
 
   /** Orders the cells for an eye: a point where eye[3] is 1, a direction towards the eye where it
    *  is 0. Cells that nothing tells apart come from the farthest centre on where `centersFirst`
-   *  says so (meshes that are not convex). False where no sign has changed since the last call, and
-   *  with it the order. */
+   *  says so (meshes that are not convex), anew for every eye. Else false where no sign has changed
+   *  since the last call, and with it the order. */
   bool Sort(const double eye[4], bool centersFirst);
 
   /** Ids of the complex's cells, farthest first; imaginary cells are not among them. */
@@ -67,6 +69,10 @@ private:
   void SortTopologically();
   void SortGroups(const double eye[4]);
   void AppendGroup(std::vector<int>& group, const double eye[4]);
+  std::vector<std::pair<int, int>> FindRelations(
+    const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const;
+  std::vector<std::pair<int, int>> FindGapRelations(
+    const std::unordered_map<int, int>& placeOf, const double eye[4]) const;
   void TakeInputIds();
   bool IsMeshCell(int cell) const { return cell < this->NumberOfMeshCells; }
   /** 1 where the cell across a link is nearer to the eye, -1 where it is farther. */
@@ -78,6 +84,7 @@ private:
   }
   double GetDistance(int cell, const double eye[4]) const;
 
+  const std::vector<double>* Points = nullptr;
   int NumberOfMeshCells = 0;
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Size = 0.0;

@@ -9,6 +9,7 @@
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
+#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -17,6 +18,11 @@
 
 #include <algorithm>
 #include <array>
+
+namespace
+{
+using CellsTime = std::array<vtkMTimeType, 6>;
+}
 
 /// What the sort keeps from traversal to traversal.
 class vtkProvenVisibilitySort::Internals
@@ -28,7 +34,7 @@ public:
   vtkNew<vtkIdTypeArray> Batch;
 
   // What the order was made for.
-  vtkMTimeType OrderedCells = 0;
+  CellsTime OrderedCells{};
   vtkMTimeType OrderedSort = 0;
   std::array<double, 4> OrderedEye{ { 0.0, 0.0, 0.0, 0.0 } };
   vtkDataSet* OrderedInput = nullptr;
@@ -39,7 +45,7 @@ public:
   bool HasComplex = false;
   bool HasImaginary = false;
   bool Reported = false;
-  vtkMTimeType BuiltCells = 0;
+  CellsTime BuiltCells{};
   vtkDataSet* BuiltInput = nullptr;
   bool BuiltConvexify = true;
 
@@ -50,21 +56,29 @@ public:
 
 namespace
 {
-// Points and cells alone: new scalars make no new order.
-vtkMTimeType GetCellsTime(vtkDataSet* input)
+vtkMTimeType TimeOf(vtkObject* object)
 {
+  return object ? object->GetMTime() : 0;
+}
+
+// Points, cells and marks alone: new scalars make no new order. One time for each, for an older
+// object may take another's place.
+CellsTime GetCellsTime(vtkDataSet* input)
+{
+  CellsTime times{};
+  times[0] = TimeOf(input->GetCellData()->GetArray("Imaginary"));
+  times[1] = TimeOf(input->GetFieldData()->GetAbstractArray("ImaginaryContacts"));
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
   if (!grid || !grid->GetPoints())
   {
-    return input->GetMTime();
+    times[2] = input->GetMTime();
+    return times;
   }
-  vtkMTimeType time = std::max(grid->GetPoints()->GetMTime(), grid->GetCells()->GetMTime());
-  for (vtkObject* part : { static_cast<vtkObject*>(grid->GetPoints()->GetData()),
-         static_cast<vtkObject*>(grid->GetCells()->GetConnectivityArray()) })
-  {
-    time = std::max(time, part->GetMTime());
-  }
-  return time;
+  times[2] = TimeOf(grid->GetPoints());
+  times[3] = TimeOf(grid->GetPoints()->GetData());
+  times[4] = TimeOf(grid->GetCells());
+  times[5] = TimeOf(grid->GetCells()->GetConnectivityArray());
+  return times;
 }
 
 // Cells that are never returned, wherever they stand in the input.
@@ -108,7 +122,7 @@ void vtkProvenVisibilitySort::InitTraversal()
     vtkErrorMacro("The camera or the model transform is singular: there is no eye to sort for.");
     internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
   }
-  const vtkMTimeType cells = GetCellsTime(this->Input);
+  const CellsTime cells = GetCellsTime(this->Input);
   const vtkMTimeType own = this->GetSettingsTime();
   if (internal.OrderedInput != this->Input || internal.OrderedCells != cells ||
       internal.OrderedSort != own || internal.OrderedEye != internal.Eye)
@@ -170,7 +184,7 @@ vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
 void vtkProvenVisibilitySort::ForgetComplex()
 {
   Internals& internal = *this->Internal;
-  const vtkMTimeType cells = GetCellsTime(this->Input);
+  const CellsTime cells = GetCellsTime(this->Input);
   if (internal.BuiltInput == this->Input && internal.BuiltCells == cells)
   {
     return;
