@@ -5,7 +5,6 @@
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkMPVOVisibilitySort.h"
 #include "vtkMatrix4x4.h"
 #include "vtkProvenVisibilitySort.h"
 #include "vtkRenderer.h"
@@ -32,24 +31,17 @@ BackToFrontOrder::View BackToFrontOrder::TakeView(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-vtkVisibilitySort* BackToFrontOrder::Choose(vtkVisibilitySort* sort)
+vtkVisibilitySort* BackToFrontOrder::Choose(
+  vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera)
 {
-  if (sort)
-  {
-    return sort;
-  }
-  if (!this->Default)
-  {
-    this->Default = vtkSmartPointer<vtkMPVOVisibilitySort>::New();
-  }
-  return this->Default;
+  return sort ? sort : this->Automatic.Choose(VisibilitySortChoice::Automatic, cells, camera, true);
 }
 
 //------------------------------------------------------------------------------
 bool BackToFrontOrder::Update(
   vtkVisibilitySort* given, vtkUnstructuredGrid* cells, CellProjectionFrame& frame)
 {
-  vtkVisibilitySort* sort = this->Choose(given);
+  vtkVisibilitySort* sort = this->Choose(given, cells, frame.Renderer->GetActiveCamera());
   const View view = TakeView(frame);
   if (sort == this->SeenSort && sort->GetMTime() == this->SeenSortTime &&
       cells->GetCells()->GetMTime() == this->SeenCells && view == this->SeenView)

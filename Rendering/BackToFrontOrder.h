@@ -1,7 +1,7 @@
 #ifndef BackToFrontOrder_h
 #define BackToFrontOrder_h
 
-#include "vtkSmartPointer.h"
+#include "VisibilitySortChoice.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 #include "vtkVisibilitySort.h"
@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+class vtkCamera;
 class vtkProvenVisibilitySort;
 class vtkUnstructuredGrid;
 struct CellProjectionFrame;
@@ -27,7 +28,7 @@ struct CellProjectionFrame;
 class BackToFrontOrder
 {
 public:
-  /// `sort` null: MPVO on the convexified mesh. True where the order was computed anew. New `cells`
+  /// `sort` null: the power sort where it is exact, else MPVO. True where the order was computed anew. New `cells`
   /// have new points and cells (as the output of vtkConvexCells has); scalars do not count.
   bool Update(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, CellProjectionFrame& frame);
 
@@ -53,9 +54,10 @@ private:
   void Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells);
   void FindCyclicGroups(vtkProvenVisibilitySort* sort);
   void KeepDisjoint(std::vector<Span>& spans);
-  vtkVisibilitySort* Choose(vtkVisibilitySort* sort);
+  vtkVisibilitySort* Choose(
+    vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera);
 
-  vtkSmartPointer<vtkVisibilitySort> Default;
+  VisibilitySortChoice Automatic;
   vtkVisibilitySort* SeenSort = nullptr;
   vtkMTimeType SeenSortTime = 0;
   vtkMTimeType SeenCells = 0;

@@ -36,7 +36,8 @@ public:
   ///@{
   /**
    * What orders the tetrahedra. Its input is the output of a vtkConvexCells with TetrahedraOnly on.
-   * Null chooses: vtkMPVOVisibilitySort. Default: null.
+   * Null chooses: vtkPowerVisibilitySort where that is exact (convex
+   * Delaunay meshes), else vtkMPVOVisibilitySort. Default: null.
    */
   virtual void SetVisibilitySort(vtkVisibilitySort* sort);
   vtkVisibilitySort* GetVisibilitySort();

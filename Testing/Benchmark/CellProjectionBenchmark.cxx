@@ -1,8 +1,10 @@
-// Our mapper and VTK's projected tetrahedra on the same mesh, views and transfer function, frames
-// interleaved, each one's error against the float64 oracle in the same row.
-//   CellProjectionBenchmark [frames]; the data's folder is in CELLPROJECTION_DATA
+// Mappers: ours and VTK's projected tetrahedra on the same mesh, views and transfer function,
+// frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
+// visibility sort on the same meshes and eyes.
+//   CellProjectionBenchmark [frames [mappers|sorts]]; the data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
+#include "SortBenchmark.h"
 
 #include "vtkCellProjectionOracle.h"
 #include "vtkImageData.h"
@@ -95,13 +97,9 @@ void Print(const Row& row, double peer, vtkIdType cells)
     1e3 * median, 1e3 * row.First, 1e3 * row.Prepare, 1e-6 * cells / median, peer / median,
     row.RootMeanSquare, row.Percentile, row.Maximum, 100.0 * row.Share);
 }
-}
 
-int main(int argc, char* argv[])
+void CompareMappers(const BenchmarkMesh& mesh, int frames)
 {
-  const char* folder = std::getenv("CELLPROJECTION_DATA");
-  const BenchmarkMesh mesh = LoadBenchmarkMesh(folder ? folder : "");
-  const int frames = argc > 1 ? std::atoi(argv[1]) : 9;
   const vtkIdType cells = mesh.Grid->GetNumberOfCells();
   std::printf("%s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at %d x %d\n",
     mesh.Name.c_str(), static_cast<long long>(cells), ImageSize, ImageSize, frames, ErrorSize,
@@ -129,6 +127,30 @@ int main(int argc, char* argv[])
   for (const Row& row : rows)
   {
     Print(row, Median(rows[1].Seconds), cells);
+  }
+}
+
+void CompareSorts(const BenchmarkMesh& mesh, int frames)
+{
+  SortBenchmark benchmark;
+  benchmark.Run(mesh.Name, mesh.Grid, frames);
+  benchmark.Run("a jittered lattice", SortBenchmark::MakeLattice(60), frames);
+}
+}
+
+int main(int argc, char* argv[])
+{
+  const char* folder = std::getenv("CELLPROJECTION_DATA");
+  const BenchmarkMesh mesh = LoadBenchmarkMesh(folder ? folder : "");
+  const int frames = argc > 1 ? std::atoi(argv[1]) : 9;
+  const std::string section = argc > 2 ? argv[2] : "";
+  if (section.empty() || section == "mappers")
+  {
+    CompareMappers(mesh, frames);
+  }
+  if (section.empty() || section == "sorts")
+  {
+    CompareSorts(mesh, frames);
   }
   return EXIT_SUCCESS;
 }
