@@ -32,7 +32,13 @@ void TestMesh(TestChecks& checks, const std::string& name, vtkUnstructuredGrid* 
   observer->Watch(sort);
   const auto eyes = SortTesting::FewEyes(grid);
   const auto begin = std::chrono::steady_clock::now();
-  const int failures = check.CountFailures(sort, eyes, ProvenSortCheck::Demands());
+  // Cells that overlap (the crushed can's do) have no order: what the sort says is none is not
+  // held to be one, only to be a permutation that is not called proven.
+  SortTesting::Eye first = eyes.front();
+  SortTesting::OrderOf(sort, grid, first);
+  ProvenSortCheck::Demands demands;
+  demands.RightOnRays = observer->CountOf("The cells are no complex") == 0;
+  const int failures = check.CountFailures(sort, eyes, demands);
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
   const double share = ShareWrongByCenters(check.GetRays(), grid, eyes.front());
   std::cout << name << ": " << grid->GetNumberOfCells() << " cells, "
@@ -45,6 +51,8 @@ void TestMesh(TestChecks& checks, const std::string& name, vtkUnstructuredGrid* 
   {
     std::cout << "  says: " << text;
   }
+  // Of these meshes the can alone overlaps itself.
+  checks.Check(demands.RightOnRays || name.compare(0, 3, "can") == 0, name.c_str(), __LINE__);
   checks.Check(failures == 0, name.c_str(), __LINE__, std::to_string(failures));
   // Boxes side by side are right by their centres too.
   const bool tetrahedra = grid->GetCellType(0) == VTK_TETRA;
