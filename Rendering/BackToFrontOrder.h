@@ -28,8 +28,9 @@ struct CellProjectionFrame;
 class BackToFrontOrder
 {
 public:
-  /// `sort` null: the power sort where it is exact, else MPVO. True where the order was computed anew. New `cells`
-  /// have new points and cells (as the output of vtkConvexCells has); scalars do not count.
+  /// `sort` null: the power sort where it is exact, else MPVO. True where the order was computed
+  /// anew. New `cells` have new points and cells (as the output of vtkConvexCells has); scalars do
+  /// not count.
   bool Update(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, CellProjectionFrame& frame);
 
   /// Positions Begin .. End - 1 of Cells.
@@ -54,8 +55,7 @@ private:
   void Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells);
   void FindCyclicGroups(vtkProvenVisibilitySort* sort);
   void KeepDisjoint(std::vector<Span>& spans);
-  vtkVisibilitySort* Choose(
-    vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera);
+  vtkVisibilitySort* Choose(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera);
 
   VisibilitySortChoice Automatic;
   vtkVisibilitySort* SeenSort = nullptr;

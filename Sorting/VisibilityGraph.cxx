@@ -115,18 +115,16 @@ void VisibilityGraph::LinkCells()
   }
   std::partial_sum(this->LinkOffsets.begin(), this->LinkOffsets.end(), this->LinkOffsets.begin());
   std::vector<int> next = this->LinkOffsets;
-  this->Neighbors.resize(2 * this->Contacts.size());
-  this->ContactSides.resize(2 * this->Contacts.size());
+  this->Links.resize(2 * this->Contacts.size());
   for (int i = 0; i < static_cast<int>(this->Contacts.size()); ++i)
   {
     for (int side = 0; side < 2; ++side)
     {
-      const int link = next[this->Contacts[i].Cells[side]]++;
-      this->Neighbors[link] = this->Contacts[i].Cells[1 - side];
-      this->ContactSides[link] = 2 * i + side;
+      const int cell = this->Contacts[i].Cells[side];
+      this->Links[next[cell]++] = { this->Contacts[i].Cells[1 - side], 2 * i + side };
     }
   }
-  this->LongLists.resize(this->Neighbors.size());
+  this->LongLists.resize(this->Links.size());
   this->Cells.resize(cells);
 }
 
@@ -182,7 +180,7 @@ void VisibilityGraph::FindNearer(vtkIdType cell)
     const int across = this->CompareAcross(link);
     farther += across < 0 ? 1 : 0;
     // Written in any case, kept where it counts: no branch to guess.
-    list[nearer] = this->Neighbors[link];
+    list[nearer] = this->Links[link].Neighbor;
     nearer += across > 0 ? 1 : 0;
   }
   if (nearer > 3)
@@ -320,7 +318,7 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindRelations(
     const int cell = group[place];
     for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
     {
-      const auto nearer = placeOf.find(this->Neighbors[link]);
+      const auto nearer = placeOf.find(this->Links[link].Neighbor);
       if (nearer != placeOf.end() && this->CompareAcross(link) > 0)
       {
         relations.emplace_back(place, nearer->second);
@@ -341,9 +339,9 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
     for (int link = this->LinkOffsets[cell.first]; link < this->LinkOffsets[cell.first + 1]; ++link)
     {
       const int across = this->CompareAcross(link);
-      const int* p = this->Contacts[this->ContactSides[link] >> 1].Points;
+      const int* p = this->Contacts[this->Links[link].ContactAndSide >> 1].Points;
       // A triangle may touch several imaginary cells.
-      if (!this->IsMeshCell(this->Neighbors[link]) && across != 0 &&
+      if (!this->IsMeshCell(this->Links[link].Neighbor) && across != 0 &&
           seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
       {
         (across > 0 ? far : near).push_back({ { p[0], p[1], p[2] }, cell.second });
@@ -366,7 +364,7 @@ void VisibilityGraph::SortGroups(const double eye[4])
     {
       return -2;
     }
-    const int neighbor = this->Neighbors[link];
+    const int neighbor = this->Links[link].Neighbor;
     return this->CompareAcross(link) < 0 && this->IsWaiting(neighbor) ? neighbor : -1;
   };
   for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)

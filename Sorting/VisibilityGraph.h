@@ -54,6 +54,13 @@ private:
     /** The nearer neighbours; or where they begin and end in LongLists. */
     int Nearer[3];
   };
+  /** A contact as one of its cells sees it. */
+  struct Link
+  {
+    int Neighbor;
+    /** The contact, with the cell's side in the last bit. */
+    int ContactAndSide;
+  };
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
 
@@ -78,7 +85,7 @@ private:
   /** 1 where the cell across a link is nearer to the eye, -1 where it is farther. */
   int CompareAcross(int link) const
   {
-    const int contactAndSide = this->ContactSides[link];
+    const int contactAndSide = this->Links[link].ContactAndSide;
     const int sign = this->Signs[contactAndSide >> 1];
     return (contactAndSide & 1) != 0 ? sign : -sign;
   }
@@ -94,10 +101,8 @@ private:
   std::vector<int> InputId;
   std::vector<int> OwnId;
   std::vector<CellComplex::Contact> Contacts;
-  // Per cell and contact: the cell across, and the contact with the cell's side in the last bit.
   std::vector<int> LinkOffsets;
-  std::vector<int> Neighbors;
-  std::vector<int> ContactSides;
+  std::vector<Link> Links;
 
   // Per frame. LongLists: the nearer neighbours of cells with many, from their link offset on.
   ContactSigns Signs;

@@ -3,13 +3,13 @@
 #include "CellComplexReader.h"
 #include "Convexification.h"
 #include "ImaginaryGrid.h"
+#include "MeshTime.h"
 #include "OrderProof.h"
 #include "ViewEye.h"
 #include "vtkCamera.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkDataSet.h"
-#include "vtkFieldData.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
 #include "vtkNew.h"
@@ -19,22 +19,20 @@
 #include <algorithm>
 #include <array>
 
-namespace
-{
-using CellsTime = std::array<vtkMTimeType, 6>;
-}
-
 /// What the sort keeps from traversal to traversal.
 class vtkProvenVisibilitySort::Internals
 {
 public:
   std::array<double, 4> Eye{ { 0.0, 0.0, 0.0, 1.0 } };
-  std::vector<vtkIdType> Order;
+  // The subclass' own, or, where cells had to be left out, the copy.
+  const std::vector<vtkIdType>* Order = nullptr;
+  std::vector<vtkIdType> Filtered;
   vtkIdType Next = 0;
   vtkNew<vtkIdTypeArray> Batch;
+  std::vector<vtkIdType> Reversed;
 
   // What the order was made for.
-  CellsTime OrderedCells{};
+  MeshTime OrderedCells{};
   vtkMTimeType OrderedSort = 0;
   std::array<double, 4> OrderedEye{ { 0.0, 0.0, 0.0, 0.0 } };
   vtkDataSet* OrderedInput = nullptr;
@@ -45,7 +43,7 @@ public:
   bool HasComplex = false;
   bool HasImaginary = false;
   bool Reported = false;
-  CellsTime BuiltCells{};
+  MeshTime BuiltCells{};
   vtkDataSet* BuiltInput = nullptr;
   bool BuiltConvexify = true;
 
@@ -56,41 +54,13 @@ public:
 
 namespace
 {
-vtkMTimeType TimeOf(vtkObject* object)
-{
-  return object ? object->GetMTime() : 0;
-}
-
-// Points, cells and marks alone: new scalars make no new order. One time for each, for an older
-// object may take another's place.
-CellsTime GetCellsTime(vtkDataSet* input)
-{
-  CellsTime times{};
-  times[0] = TimeOf(input->GetCellData()->GetArray("Imaginary"));
-  times[1] = TimeOf(input->GetFieldData()->GetAbstractArray("ImaginaryContacts"));
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (!grid || !grid->GetPoints())
-  {
-    times[2] = input->GetMTime();
-    return times;
-  }
-  times[2] = TimeOf(grid->GetPoints());
-  times[3] = TimeOf(grid->GetPoints()->GetData());
-  times[4] = TimeOf(grid->GetCells());
-  times[5] = TimeOf(grid->GetCells()->GetConnectivityArray());
-  return times;
-}
-
 // Cells that are never returned, wherever they stand in the input.
 void DropImaginary(vtkDataSet* input, std::vector<vtkIdType>& order)
 {
-  if (ImaginaryGrid::HasImaginaryCells(input))
-  {
-    auto* marks = vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray("Imaginary"));
-    order.erase(std::remove_if(order.begin(), order.end(),
-                  [marks](vtkIdType cell) { return marks->GetValue(cell) != 0; }),
-      order.end());
-  }
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray("Imaginary"));
+  order.erase(std::remove_if(order.begin(), order.end(),
+                [marks](vtkIdType cell) { return marks->GetValue(cell) != 0; }),
+    order.end());
 }
 
 // Largest share of the enclosure that rounding may cost.
@@ -114,7 +84,8 @@ void vtkProvenVisibilitySort::InitTraversal()
   if (!this->Input || !this->Camera)
   {
     vtkErrorMacro(<< (this->Input ? "No camera: call SetCamera." : "No input: call SetInput."));
-    internal.Order.clear();
+    internal.Order = nullptr;
+    internal.OrderedInput = nullptr;
     return;
   }
   if (!ViewEye::Find(this->Camera, this->InverseModelTransform, internal.Eye.data()))
@@ -122,13 +93,18 @@ void vtkProvenVisibilitySort::InitTraversal()
     vtkErrorMacro("The camera or the model transform is singular: there is no eye to sort for.");
     internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
   }
-  const CellsTime cells = GetCellsTime(this->Input);
+  const MeshTime cells = MeshTimeOf(this->Input);
   const vtkMTimeType own = this->GetSettingsTime();
   if (internal.OrderedInput != this->Input || internal.OrderedCells != cells ||
       internal.OrderedSort != own || internal.OrderedEye != internal.Eye)
   {
-    this->SortCells(internal.Eye.data(), internal.Order);
-    DropImaginary(this->Input, internal.Order);
+    internal.Order = &this->SortCells(internal.Eye.data());
+    if (ImaginaryGrid::HasImaginaryCells(this->Input))
+    {
+      internal.Filtered = *internal.Order;
+      DropImaginary(this->Input, internal.Filtered);
+      internal.Order = &internal.Filtered;
+    }
     internal.Misordered = -1;
     internal.Groups = nullptr;
     internal.OrderedInput = this->Input;
@@ -160,21 +136,23 @@ void vtkProvenVisibilitySort::SetConvexify(bool convexify)
 vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
 {
   Internals& internal = *this->Internal;
-  const auto count = static_cast<vtkIdType>(internal.Order.size());
+  const vtkIdType count = internal.Order ? static_cast<vtkIdType>(internal.Order->size()) : 0;
   const vtkIdType size = std::min<vtkIdType>(this->MaxCellsReturned, count - internal.Next);
   if (size <= 0)
   {
     return nullptr;
   }
-  internal.Batch->SetNumberOfValues(size);
-  vtkIdType* ids = internal.Batch->GetPointer(0);
   if (this->Direction == BACK_TO_FRONT)
   {
-    std::copy_n(internal.Order.begin() + internal.Next, size, ids);
+    // A window on the order: nothing is copied. It is not for the receiver to write to.
+    internal.Batch->SetArray(
+      const_cast<vtkIdType*>(internal.Order->data()) + internal.Next, size, 1);
   }
   else
   {
-    std::copy_n(internal.Order.rbegin() + internal.Next, size, ids);
+    internal.Reversed.assign(
+      internal.Order->rbegin() + internal.Next, internal.Order->rbegin() + internal.Next + size);
+    internal.Batch->SetArray(internal.Reversed.data(), size, 1);
   }
   internal.Next += size;
   return internal.Batch;
@@ -184,7 +162,7 @@ vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
 void vtkProvenVisibilitySort::ForgetComplex()
 {
   Internals& internal = *this->Internal;
-  const CellsTime cells = GetCellsTime(this->Input);
+  const MeshTime cells = MeshTimeOf(this->Input);
   if (internal.BuiltInput == this->Input && internal.BuiltCells == cells)
   {
     return;
@@ -301,10 +279,10 @@ vtkIdType vtkProvenVisibilitySort::GetNumberOfCycles()
 vtkIdType vtkProvenVisibilitySort::GetNumberOfMisorderedFaces()
 {
   Internals& internal = *this->Internal;
-  if (internal.Misordered < 0 && this->Input)
+  if (internal.Misordered < 0 && this->Input && internal.Order)
   {
     internal.Misordered =
-      OrderProof::CountMisordered(this->GetComplex(), internal.Order, internal.Eye.data());
+      OrderProof::CountMisordered(this->GetComplex(), *internal.Order, internal.Eye.data());
   }
   return internal.Misordered;
 }

@@ -16,7 +16,7 @@ vtkBSPXMPVOVisibilitySort::vtkBSPXMPVOVisibilitySort()
 vtkBSPXMPVOVisibilitySort::~vtkBSPXMPVOVisibilitySort() = default;
 
 //------------------------------------------------------------------------------
-void vtkBSPXMPVOVisibilitySort::SortCells(const double eye[4], std::vector<vtkIdType>& order)
+const std::vector<vtkIdType>& vtkBSPXMPVOVisibilitySort::SortCells(const double eye[4])
 {
   const CellComplex& complex = this->GetComplex();
   if (this->BuildTime.GetMTime() < this->ComplexTime.GetMTime())
@@ -24,7 +24,8 @@ void vtkBSPXMPVOVisibilitySort::SortCells(const double eye[4], std::vector<vtkId
     this->Relations->Build(complex);
     this->BuildTime.Modified();
   }
-  this->Relations->Sort(eye, order);
+  this->Relations->Sort(eye, this->Order);
+  return this->Order;
 }
 
 //------------------------------------------------------------------------------

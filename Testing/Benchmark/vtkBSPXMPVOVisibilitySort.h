@@ -41,13 +41,14 @@ protected:
   vtkBSPXMPVOVisibilitySort();
   ~vtkBSPXMPVOVisibilitySort() override;
 
-  void SortCells(const double eye[4], std::vector<vtkIdType>& order) override;
+  const std::vector<vtkIdType>& SortCells(const double eye[4]) override;
 
 private:
   vtkBSPXMPVOVisibilitySort(const vtkBSPXMPVOVisibilitySort&) = delete;
   void operator=(const vtkBSPXMPVOVisibilitySort&) = delete;
 
   std::unique_ptr<BoundaryRelations> Relations;
+  std::vector<vtkIdType> Order;
   vtkTimeStamp BuildTime;
 };
 

@@ -41,8 +41,9 @@ void GroupSort::FindInnerOrder(std::vector<vtkIdType>& order)
 }
 
 //------------------------------------------------------------------------------
-void GroupSort::SortCells(const double*, std::vector<vtkIdType>& order)
+const std::vector<vtkIdType>& GroupSort::SortCells(const double*)
 {
+  std::vector<vtkIdType>& order = this->Order;
   ++this->NumberOfSorts;
   this->FindInnerOrder(order);
   const auto cells = static_cast<vtkIdType>(order.size());
@@ -58,6 +59,7 @@ void GroupSort::SortCells(const double*, std::vector<vtkIdType>& order)
     this->GroupCells.insert(this->GroupCells.end(), first, last);
     this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
   }
+  return order;
 }
 
 //------------------------------------------------------------------------------

@@ -28,12 +28,13 @@ public:
 protected:
   GroupSort() = default;
   ~GroupSort() override = default;
-  void SortCells(const double eye[4], std::vector<vtkIdType>& order) override;
+  const std::vector<vtkIdType>& SortCells(const double eye[4]) override;
   void FindCyclicGroups(std::vector<vtkIdType>& cells, std::vector<vtkIdType>& offsets) override;
 
 private:
   void FindInnerOrder(std::vector<vtkIdType>& order);
 
+  std::vector<vtkIdType> Order;
   std::vector<vtkIdType> GroupCells;
   std::vector<vtkIdType> GroupOffsets;
 };
