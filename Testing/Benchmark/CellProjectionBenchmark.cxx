@@ -1,10 +1,14 @@
 // Mappers: ours and VTK's projected tetrahedra on the same mesh, views and transfer function,
 // frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
-// visibility sort on the same meshes and eyes.
-//   CellProjectionBenchmark [frames [mappers|sorts]]; the data's folder is in CELLPROJECTION_DATA
+// visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts]]; the data's folder is in
+//   CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
+#include "ConvexificationBenchmark.h"
+#include "RealMeshes.h"
 #include "SortBenchmark.h"
+#include "SortMeshes.h"
 
 #include "vtkCellProjectionOracle.h"
 #include "vtkImageData.h"
@@ -108,7 +112,7 @@ void CompareMappers(const BenchmarkMesh& mesh, int frames)
   vtkNew<vtkPreIntegratedTetrahedraMapper> ours;
   auto theirs = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
   Row rows[2];
-  rows[0].Name = "ours, Raster, centre sort";
+  rows[0].Name = "ours, Raster";
   rows[1].Name = "VTK projected tetrahedra";
   MeasureSpeed(ours, theirs, mesh.Grid, frames, rows);
   vtkNew<vtkCellProjectionOracle> oracle;
@@ -136,6 +140,18 @@ void CompareSorts(const BenchmarkMesh& mesh, int frames)
   benchmark.Run(mesh.Name, mesh.Grid, frames);
   benchmark.Run("a jittered lattice", SortBenchmark::MakeLattice(60), frames);
 }
+
+void CompareCuts(int frames)
+{
+  ConvexificationBenchmark::Run("two gears", SortMeshes::Gears(), frames);
+  for (const char* name : { "bluntFin", "diskOut", "can" })
+  {
+    if (const auto mesh = RealMeshes::Read(name))
+    {
+      ConvexificationBenchmark::Run(name, mesh, frames);
+    }
+  }
+}
 }
 
 int main(int argc, char* argv[])
@@ -151,6 +167,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "sorts")
   {
     CompareSorts(mesh, frames);
+  }
+  if (section.empty() || section == "cuts")
+  {
+    CompareCuts(frames);
   }
   return EXIT_SUCCESS;
 }
