@@ -87,7 +87,7 @@ void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
   RadixSort::Item* items = this->Sort.GetItems();
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
-    const auto key = static_cast<float>(Evaluate(this->Lifts[cell], eye.X));
+    const double key = Evaluate(this->Lifts[cell], eye.X);
     items[cell] = { RadixSort::KeyOf(key), static_cast<std::uint32_t>(cell) };
   }
 }
@@ -122,10 +122,19 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkId
 void PowerCells::WriteRun(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
+  const auto entryOf = [&](vtkIdType i)
+  { return std::make_pair(Evaluate(this->Lifts[items[i].Id], eye.X), vtkIdType(items[i].Id)); };
+  if (end - begin == 2)
+  {
+    const auto first = entryOf(begin), second = entryOf(begin + 1);
+    order[begin] = std::min(first, second).second;
+    order[begin + 1] = std::max(first, second).second;
+    return;
+  }
   std::vector<std::pair<double, vtkIdType>> run;
   for (vtkIdType i = begin; i < end; ++i)
   {
-    run.emplace_back(Evaluate(this->Lifts[items[i].Id], eye.X), items[i].Id);
+    run.push_back(entryOf(i));
   }
   std::sort(run.begin(), run.end());
   std::transform(
