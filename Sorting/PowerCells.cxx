@@ -98,6 +98,7 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkId
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const vtkIdType count = this->GetNumberOfCells();
+  Run run;
   while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
   {
     ++begin;
@@ -112,26 +113,20 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkId
     }
     if (next - begin > 1)
     {
-      this->WriteRun(eye, begin, next, order);
+      this->WriteRun(eye, begin, next, run, order);
     }
     begin = next;
   }
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::WriteRun(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order)
+void PowerCells::WriteRun(
+  const Eye& eye, vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const auto entryOf = [&](vtkIdType i)
   { return std::make_pair(Evaluate(this->Lifts[items[i].Id], eye.X), vtkIdType(items[i].Id)); };
-  if (end - begin == 2)
-  {
-    const auto first = entryOf(begin), second = entryOf(begin + 1);
-    order[begin] = std::min(first, second).second;
-    order[begin + 1] = std::max(first, second).second;
-    return;
-  }
-  std::vector<std::pair<double, vtkIdType>> run;
+  run.clear();
   for (vtkIdType i = begin; i < end; ++i)
   {
     run.push_back(entryOf(i));
