@@ -2,9 +2,11 @@
 
 #include "CellProjectionFrame.h"
 #include "vtkCamera.h"
-#include "vtkCellCenterDepthSort.h"
+#include "vtkCellArray.h"
+#include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkMatrix4x4.h"
+#include "vtkProvenVisibilitySort.h"
 #include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -29,27 +31,20 @@ BackToFrontOrder::View BackToFrontOrder::TakeView(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-vtkVisibilitySort* BackToFrontOrder::Choose(vtkVisibilitySort* sort)
+vtkVisibilitySort* BackToFrontOrder::Choose(
+  vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera)
 {
-  if (sort)
-  {
-    return sort;
-  }
-  if (!this->Default)
-  {
-    this->Default = vtkSmartPointer<vtkCellCenterDepthSort>::New();
-  }
-  return this->Default;
+  return sort ? sort : this->Automatic.Choose(VisibilitySortChoice::Automatic, cells, camera, true);
 }
 
 //------------------------------------------------------------------------------
 bool BackToFrontOrder::Update(
   vtkVisibilitySort* given, vtkUnstructuredGrid* cells, CellProjectionFrame& frame)
 {
-  vtkVisibilitySort* sort = this->Choose(given);
+  vtkVisibilitySort* sort = this->Choose(given, cells, frame.Renderer->GetActiveCamera());
   const View view = TakeView(frame);
   if (sort == this->SeenSort && sort->GetMTime() == this->SeenSortTime &&
-      cells->GetMTime() == this->SeenCells && view == this->SeenView)
+      cells->GetCells()->GetMTime() == this->SeenCells && view == this->SeenView)
   {
     return false;
   }
@@ -59,9 +54,10 @@ bool BackToFrontOrder::Update(
   sort->SetCamera(frame.Renderer->GetActiveCamera());
   sort->SetMaxCellsReturned(BatchSize);
   this->Collect(sort, cells->GetNumberOfCells());
+  this->FindCyclicGroups(vtkProvenVisibilitySort::SafeDownCast(sort));
   this->SeenSort = sort;
   this->SeenSortTime = sort->GetMTime();
-  this->SeenCells = cells->GetMTime();
+  this->SeenCells = cells->GetCells()->GetMTime();
   this->SeenView = view;
   return true;
 }
@@ -98,4 +94,61 @@ void BackToFrontOrder::Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells)
       this->Cells.push_back(id);
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void BackToFrontOrder::FindCyclicGroups(vtkProvenVisibilitySort* sort)
+{
+  this->CyclicGroups.clear();
+  vtkCellArray* groups = sort ? sort->GetCyclicGroups() : nullptr;
+  if (!groups || groups->GetNumberOfCells() == 0)
+  {
+    return;
+  }
+  std::vector<vtkIdType> positions(this->Cells.size(), -1);
+  for (size_t i = 0; i < this->Cells.size(); ++i)
+  {
+    positions[this->Cells[i]] = static_cast<vtkIdType>(i);
+  }
+  std::vector<Span> spans;
+  vtkNew<vtkIdList> ids;
+  for (vtkIdType group = 0; group < groups->GetNumberOfCells(); ++group)
+  {
+    groups->GetCellAtId(group, ids);
+    Span span{ static_cast<vtkIdType>(positions.size()), 0 };
+    for (const vtkIdType id : *ids)
+    {
+      const bool known = id >= 0 && id < static_cast<vtkIdType>(positions.size());
+      span.Begin = known ? std::min(span.Begin, positions[id]) : span.Begin;
+      span.End = known ? std::max(span.End, positions[id] + 1) : span.End;
+    }
+    spans.push_back(span);
+  }
+  this->KeepDisjoint(spans);
+}
+
+//------------------------------------------------------------------------------
+void BackToFrontOrder::KeepDisjoint(std::vector<Span>& spans)
+{
+  std::sort(
+    spans.begin(), spans.end(), [](const Span& a, const Span& b) { return a.Begin < b.Begin; });
+  for (const Span& span : spans)
+  {
+    // Groups that are not contiguous interlock: what is resolved per pixel may as well be more.
+    if (!this->CyclicGroups.empty() && span.Begin < this->CyclicGroups.back().End)
+    {
+      this->CyclicGroups.back().End = std::max(this->CyclicGroups.back().End, span.End);
+    }
+    else if (span.Begin < span.End)
+    {
+      this->CyclicGroups.push_back(span);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType BackToFrontOrder::CountMisorderedFaces()
+{
+  auto* sort = vtkProvenVisibilitySort::SafeDownCast(this->SeenSort);
+  return sort ? sort->GetNumberOfMisorderedFaces() : 0;
 }

@@ -1,7 +1,7 @@
 #ifndef BackToFrontOrder_h
 #define BackToFrontOrder_h
 
-#include "vtkSmartPointer.h"
+#include "VisibilitySortChoice.h"
 #include "vtkTimeStamp.h"
 #include "vtkType.h"
 #include "vtkVisibilitySort.h"
@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+class vtkCamera;
+class vtkProvenVisibilitySort;
 class vtkUnstructuredGrid;
 struct CellProjectionFrame;
 
@@ -20,24 +22,42 @@ struct CellProjectionFrame;
  *
  * The order is a permutation whatever the sort returns: ids it repeats or invents are left out, ids
  * it forgets come last; both are counted.
+ *
+ * A vtkProvenVisibilitySort also tells which cells hide each other in a circle: spans of the order.
  */
 class BackToFrontOrder
 {
 public:
-  /// `sort` null: VTK's sort by cell centres. True where the order was computed anew.
+  /// `sort` null: the power sort where it is exact, else MPVO. True where the order was computed
+  /// anew. New `cells` have new points and cells (as the output of vtkConvexCells has); scalars do
+  /// not count.
   bool Update(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, CellProjectionFrame& frame);
 
+  /// Positions Begin .. End - 1 of Cells.
+  struct Span
+  {
+    vtkIdType Begin;
+    vtkIdType End;
+  };
+
   std::vector<vtkIdType> Cells;
+  /// Ascending and disjoint.
+  std::vector<Span> CyclicGroups;
   vtkIdType NumberOfWrongIds = 0;
+
+  /// Shared faces whose cells come out in the wrong order, counted now; 0 where the sort cannot.
+  vtkIdType CountMisorderedFaces();
 
 private:
   /// What an order depends on, the sort itself and the mesh apart.
   using View = std::array<double, 33>;
   static View TakeView(CellProjectionFrame& frame);
   void Collect(vtkVisibilitySort* sort, vtkIdType numberOfCells);
-  vtkVisibilitySort* Choose(vtkVisibilitySort* sort);
+  void FindCyclicGroups(vtkProvenVisibilitySort* sort);
+  void KeepDisjoint(std::vector<Span>& spans);
+  vtkVisibilitySort* Choose(vtkVisibilitySort* sort, vtkUnstructuredGrid* cells, vtkCamera* camera);
 
-  vtkSmartPointer<vtkVisibilitySort> Default;
+  VisibilitySortChoice Automatic;
   vtkVisibilitySort* SeenSort = nullptr;
   vtkMTimeType SeenSortTime = 0;
   vtkMTimeType SeenCells = 0;

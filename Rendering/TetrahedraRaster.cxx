@@ -1,12 +1,15 @@
 #include "TetrahedraRaster.h"
 
 #include "RayUniforms.h"
+#include "ScreenBox.h"
 #include "TransferFunction.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
+#include "cpDepthLayer.h"
 #include "cpFootprint.h"
 #include "cpHull.h"
 #include "cpIntegral.h"
+#include "cpLayerSearchFragment.h"
 #include "cpNearClip.h"
 #include "cpRay.h"
 #include "cpSegment.h"
@@ -24,6 +27,8 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
+
 namespace
 {
 std::string GeometrySource()
@@ -35,14 +40,17 @@ std::string GeometrySource()
   return source;
 }
 
-std::string FragmentSource()
+std::string FragmentSource(const char* main, const std::string& layer)
 {
-  std::string source = cpTetrahedraFragment;
+  std::string source = main;
   vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
   vtkShaderProgram::Substitute(source, "//VTK::Clip::Dec", cpTetrahedronClip);
   vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
   vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpIntegral);
   vtkShaderProgram::Substitute(source, "//VTK::Segment::Dec", cpSegment);
+  vtkShaderProgram::Substitute(source, "//VTK::Layer::Dec", layer);
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Layer::Impl", layer.empty() ? "" : "if (!isInLayer(c.depth.x))\n    discard;");
   return source;
 }
 }
@@ -93,21 +101,42 @@ bool TetrahedraRaster::UploadTransferFunction(
 }
 
 //------------------------------------------------------------------------------
-bool TetrahedraRaster::UploadOrder(const std::vector<unsigned int>& order)
+bool TetrahedraRaster::UploadOrder(const DrawnCells& cells)
 {
-  this->NumberOfDrawnCells = static_cast<int>(order.size());
-  return order.empty() || this->Order->Upload(order, vtkOpenGLBufferObject::ElementArrayBuffer);
+  return cells.Cells.empty() ||
+         this->Order->Upload(cells.Cells, vtkOpenGLBufferObject::ElementArrayBuffer);
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* TetrahedraRaster::ReadyProgram(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* TetrahedraRaster::ReadyProgram(
+  vtkOpenGLRenderWindow* window, const std::string& fragment)
 {
   // VTK's cache finds the compiled program by its source again: nothing to keep here.
   static const std::string geometry = GeometrySource();
-  static const std::string fragment = FragmentSource();
   vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
     cpTetrahedraVertex, fragment.c_str(), geometry.c_str());
   return program && program->GetCompiled() ? program : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::BuildPrograms(
+  vtkOpenGLRenderWindow* window, bool withLayers, Programs& programs)
+{
+  static const std::string cells = FragmentSource(cpTetrahedraFragment, "");
+  static const std::string search = FragmentSource(cpLayerSearchFragment, "");
+  static const std::string layer = FragmentSource(cpTetrahedraFragment, cpDepthLayer);
+  if (withLayers)
+  {
+    programs.Search = this->ReadyProgram(window, search);
+    programs.Layer = this->ReadyProgram(window, layer);
+  }
+  programs.Cells = this->ReadyProgram(window, cells);
+  const bool compiled = programs.Cells && (!withLayers || (programs.Search && programs.Layer));
+  if (!compiled)
+  {
+    this->Failure = "the projection's shaders did not compile";
+  }
+  return compiled;
 }
 
 //------------------------------------------------------------------------------
@@ -120,33 +149,88 @@ void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
   program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
   program->SetUniformi("numberOfNodes", this->NumberOfNodes);
   program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
-}
-
-//------------------------------------------------------------------------------
-bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
-{
-  if (this->NumberOfDrawnCells == 0)
-  {
-    return true;
-  }
-  vtkShaderProgram* program = this->ReadyProgram(window);
-  if (!program)
-  {
-    this->Failure = "the projection's shaders did not compile";
-    return false;
-  }
-  view.OpaqueDepth->Activate();
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Activate(program, named.Sampler);
   }
-  this->SetUniforms(program, view);
-  this->DrawCells();
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::BeginCells(
+  vtkOpenGLRenderWindow* window, const View& view, Programs& programs)
+{
+  const std::vector<DrawnCells::Run>& runs = view.Cells->Runs;
+  const bool withLayers =
+    std::any_of(runs.begin(), runs.end(), [](const DrawnCells::Run& run) { return run.IsCyclic; });
+  if (!this->BuildPrograms(window, withLayers, programs))
+  {
+    return false;
+  }
+  if (withLayers && !this->Layers.Begin(window, view.Width, view.Height))
+  {
+    this->Failure = "the driver cannot render to single floats";
+    return false;
+  }
+  view.OpaqueDepth->Activate();
+  for (vtkShaderProgram* program : { programs.Search, programs.Layer, programs.Cells })
+  {
+    if (program)
+    {
+      window->GetShaderCache()->ReadyShaderProgram(program);
+      this->SetUniforms(program, view);
+    }
+  }
+  // A core profile draws from a vertex array object only, though ours has no attributes.
+  if (this->VertexArray == 0)
+  {
+    glGenVertexArrays(1, &this->VertexArray);
+  }
+  glBindVertexArray(this->VertexArray);
+  this->Order->Bind();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraRaster::EndCells(const View& view, const Programs& programs)
+{
+  this->Order->Release();
+  glBindVertexArray(0);
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Deactivate();
   }
   view.OpaqueDepth->Deactivate();
+  if (programs.Layer)
+  {
+    this->Layers.End();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
+{
+  if (view.Cells->Runs.empty())
+  {
+    return true;
+  }
+  Programs programs;
+  if (!this->BeginCells(window, view, programs))
+  {
+    return false;
+  }
+  for (const DrawnCells::Run& run : view.Cells->Runs)
+  {
+    if (run.IsCyclic)
+    {
+      this->DrawGroup(window, run, view, programs);
+    }
+    else
+    {
+      window->GetShaderCache()->ReadyShaderProgram(programs.Cells);
+      this->DrawRun(run);
+    }
+  }
+  this->EndCells(view, programs);
   return true;
 }
 
@@ -159,18 +243,35 @@ std::array<TetrahedraRaster::NamedBuffer, 6> TetrahedraRaster::GetBuffers()
 }
 
 //------------------------------------------------------------------------------
-void TetrahedraRaster::DrawCells()
+void TetrahedraRaster::DrawRun(const DrawnCells::Run& run)
 {
-  // A core profile draws from a vertex array object only, though ours has no attributes.
-  if (this->VertexArray == 0)
+  const size_t offset = sizeof(unsigned int) * static_cast<size_t>(run.First);
+  glDrawElements(GL_POINTS, run.Count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset));
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraRaster::DrawGroup(vtkOpenGLRenderWindow* window, const DrawnCells::Run& run,
+  const View& view, const Programs& programs)
+{
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(window->GetState(), GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglScissor scissor(window->GetState());
+  const std::array<int, 4> box = ScreenBox::Around(*view.Points, *view.Corners,
+    &view.Cells->Cells[run.First], run.Count, { view.Rays->MeshToClip, view.Width, view.Height });
+  vtkOpenGLShaderCache* shaders = window->GetShaderCache();
+  this->Layers.BeginGroup(box);
+  bool found = box[2] > 0 && box[3] > 0;
+  for (int layer = 0; found && layer <= run.Count; ++layer)
   {
-    glGenVertexArrays(1, &this->VertexArray);
+    shaders->ReadyShaderProgram(programs.Search);
+    this->Layers.BeginSearch(programs.Search);
+    this->DrawRun(run);
+    this->Layers.EndSearch();
+    // Drawn even where nothing was found: rounding may have left a cell between the two programs.
+    shaders->ReadyShaderProgram(programs.Layer);
+    this->Layers.SetUniforms(programs.Layer);
+    this->DrawRun(run);
+    found = this->Layers.WasAnyFound();
   }
-  glBindVertexArray(this->VertexArray);
-  this->Order->Bind();
-  glDrawElements(GL_POINTS, this->NumberOfDrawnCells, GL_UNSIGNED_INT, nullptr);
-  this->Order->Release();
-  glBindVertexArray(0);
 }
 
 //------------------------------------------------------------------------------
@@ -181,6 +282,7 @@ void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
     named.Buffer->ReleaseGraphicsResources(window);
   }
   this->Order->ReleaseGraphicsResources();
+  this->Layers.ReleaseGraphicsResources(window);
   if (this->VertexArray != 0)
   {
     glDeleteVertexArrays(1, &this->VertexArray);

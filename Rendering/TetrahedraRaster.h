@@ -1,6 +1,8 @@
 #ifndef TetrahedraRaster_h
 #define TetrahedraRaster_h
 
+#include "DepthLayers.h"
+#include "DrawnCells.h"
 #include "TextureBuffer.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
@@ -24,6 +26,8 @@ class vtkWindow;
  * One GL point per cell; the geometry shader sets up the cell's four planes once and covers its
  * projection with two triangles, each fragment computes entry, exit and the integral between them.
  * Points, corners, scalars and transfer function stay on the GPU; a new eye uploads an order alone.
+ * Cells that hide each other in a circle are put in order per pixel (class DepthLayers): two draws
+ * of the group for every layer of it, and none of this where there is no such group.
  *
  * Array shapes: points 4 floats each (xyz in mesh coordinates, one unused), corners 4 ids per cell
  * in ascending order, scalars one per point or per cell in [0,1], order one index per drawn cell.
@@ -36,7 +40,7 @@ public:
   bool UploadPlanes(vtkOpenGLRenderWindow* window, const std::vector<float>& planes);
   bool UploadScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   bool UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunction& function);
-  bool UploadOrder(const std::vector<unsigned int>& order);
+  bool UploadOrder(const DrawnCells& cells);
 
   struct View
   {
@@ -45,6 +49,10 @@ public:
     vtkTextureObject* OpaqueDepth = nullptr;
     int Width = 0;
     int Height = 0;
+    /// What was uploaded, for the box of a cyclic group on the screen.
+    const DrawnCells* Cells = nullptr;
+    const std::vector<float>* Points = nullptr;
+    const std::vector<int>* Corners = nullptr;
   };
 
   /// Draws into the bound framebuffer. False, with the reason in GetFailure, where it cannot.
@@ -60,8 +68,20 @@ private:
     const char* Sampler;
   };
   std::array<NamedBuffer, 6> GetBuffers();
-  void DrawCells();
-  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window);
+  /// What draws: all cells as they come, or of cyclic groups the next layer and its colour.
+  struct Programs
+  {
+    vtkShaderProgram* Cells = nullptr;
+    vtkShaderProgram* Search = nullptr;
+    vtkShaderProgram* Layer = nullptr;
+  };
+  bool BuildPrograms(vtkOpenGLRenderWindow* window, bool withLayers, Programs& programs);
+  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const std::string& fragment);
+  bool BeginCells(vtkOpenGLRenderWindow* window, const View& view, Programs& programs);
+  void EndCells(const View& view, const Programs& programs);
+  void DrawRun(const DrawnCells::Run& run);
+  void DrawGroup(vtkOpenGLRenderWindow* window, const DrawnCells::Run& run, const View& view,
+    const Programs& programs);
   void SetUniforms(vtkShaderProgram* program, const View& view);
   bool Check(const TextureBuffer& buffer, bool uploaded);
 
@@ -72,9 +92,9 @@ private:
   TextureBuffer NodePositions;
   TextureBuffer NodeValues;
   vtkNew<vtkOpenGLBufferObject> Order;
+  DepthLayers Layers;
   unsigned int VertexArray = 0;
   int NumberOfNodes = 0;
-  int NumberOfDrawnCells = 0;
   std::string Failure;
 };
 

@@ -8,6 +8,7 @@
 #include "SceneView.h"
 #include "VTKVersions.h"
 #include "VolumePropertyReader.h"
+#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkPlaneCollection.h"
@@ -136,9 +137,10 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
     this->WarnOnce(cells->GetLeftOutSummary() + ". They are skipped, the rest is drawn.");
   }
   vtkUnstructuredGrid* convex = cells->GetOutput();
-  if (this->Internal->SeenCells != convex->GetMTime())
+  // Scalars alone leave the cells as they are (vtkConvexCells), and all that was made from them.
+  if (this->Internal->SeenCells != convex->GetCells()->GetMTime())
   {
-    this->Internal->SeenCells = convex->GetMTime();
+    this->Internal->SeenCells = convex->GetCells()->GetMTime();
     this->Internal->Prepared.Cells = convex;
     this->Internal->Prepared.Coordinates.Build(convex);
     this->Internal->Prepared.CellsTime.Modified();

@@ -2,6 +2,7 @@
 
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
+#include "DrawnCells.h"
 #include "PreparedVolume.h"
 #include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
@@ -22,6 +23,7 @@ public:
   vtkSmartPointer<vtkVisibilitySort> Sort;
   BackToFrontOrder Order;
   TetrahedraSelection Selection;
+  DrawnCells Drawn;
   TetrahedraRaster Raster;
   vtkTimeStamp CornersTime;
   vtkTimeStamp SelectionTime;
@@ -98,6 +100,8 @@ void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
                    std::to_string(internal.Order.NumberOfWrongIds) +
                    " cells: the order is not right there.");
   }
+  frame.Statistics.Cycles = static_cast<vtkIdType>(internal.Order.CyclicGroups.size());
+  frame.Statistics.MisorderedFaces = this->ReportOrder ? internal.Order.CountMisorderedFaces() : 0;
   const TetrahedraSelection& selection = internal.Selection;
   frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
   frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells;
@@ -158,7 +162,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadField(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkPreIntegratedTetrahedraMapper::UploadOrder(CellProjectionFrame& frame)
+bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 {
   Internals& internal = *this->Internal;
   if (internal.OrderUploaded > internal.DrawnOrderTime &&
@@ -166,16 +170,15 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder(CellProjectionFrame& frame)
   {
     return true;
   }
-  std::vector<unsigned int> drawn;
-  drawn.reserve(static_cast<size_t>(frame.Statistics.CellsDrawn));
-  for (const vtkIdType cell : internal.Order.Cells)
+  internal.Drawn.Build(internal.Order, internal.Selection);
+  if (internal.Drawn.NumberOfUnresolvedCells > 0)
   {
-    if (internal.Selection.IsDrawn(cell))
-    {
-      drawn.push_back(static_cast<unsigned int>(cell));
-    }
+    this->WarnOnce(std::to_string(internal.Drawn.NumberOfUnresolvedCells) +
+                   " cells hide each other in circles of more than " +
+                   std::to_string(DrawnCells::LargestGroup) +
+                   ": too many to put in order per pixel, the image is not exact there.");
   }
-  const bool good = internal.Raster.UploadOrder(drawn);
+  const bool good = internal.Raster.UploadOrder(internal.Drawn);
   if (good)
   {
     internal.OrderUploaded.Modified();
@@ -192,8 +195,11 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   view.OpaqueDepth = frame.OpaqueDepth;
   view.Width = frame.Size[0];
   view.Height = frame.Size[1];
+  view.Cells = &this->Internal->Drawn;
+  view.Points = &this->GetPreparedVolume().Coordinates.Points;
+  view.Corners = &this->Internal->Selection.Corners;
   TetrahedraRaster& raster = this->Internal->Raster;
-  if (this->UploadCells(frame) && this->UploadField(frame) && this->UploadOrder(frame) &&
+  if (this->UploadCells(frame) && this->UploadField(frame) && this->UploadOrder() &&
       raster.Draw(frame.Window, view))
   {
     return true;
@@ -220,5 +226,6 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* windo
 void vtkPreIntegratedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "ReportOrder: " << this->ReportOrder << "\n";
   os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
 }

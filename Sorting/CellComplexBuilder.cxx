@@ -14,6 +14,14 @@ auto KeyOf(const FaceTriangle& t)
 {
   return std::make_tuple(t.Points[1], t.Points[2]);
 }
+
+// Corners in a row span no plane: every point is on it.
+bool HasArea(const double* a, const double* b, const double* c)
+{
+  const double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
+  return std::any_of(axes, axes + 3,
+    [&](const double(&axis)[3]) { return ExactOrientation::SideOfDirection(a, b, c, axis) != 0; });
+}
 }
 
 //------------------------------------------------------------------------------
@@ -115,7 +123,7 @@ void CellComplexBuilder::Match(bool store)
     sum.Overlapping += found.Overlapping;
   }
   this->Complex.Contacts.resize(sum.Contacts);
-  this->Secondary.resize(sum.Contacts);
+  this->IsPart.resize(sum.Contacts);
   this->Complex.Boundary.resize(sum.Boundary);
   this->Complex.NumberOfNonManifoldFaces = sum.NonManifold;
   this->Complex.NumberOfOverlappingFaces = sum.Overlapping;
@@ -206,7 +214,7 @@ void CellComplexBuilder::StoreContact(int at, const FaceTriangle& above, const F
   std::copy_n(above.Points, 3, contact.Points);
   contact.Cells[0] = above.Cell;
   contact.Cells[1] = below.Cell;
-  this->Secondary[at] = above.Secondary && below.Secondary;
+  this->IsPart[at] = above.IsPart && below.IsPart;
 }
 
 //------------------------------------------------------------------------------
@@ -224,8 +232,8 @@ void CellComplexBuilder::StoreBoundary(int at, const FaceTriangle& triangle)
 //------------------------------------------------------------------------------
 void CellComplexBuilder::DropCoplanarContacts()
 {
-  // A planar face of many corners is one contact: those of a fan follow each other, for they have
-  // the smallest id and the cells in common.
+  // A planar face of many corners is one contact: those of a fan follow each other, in any order,
+  // for they have the smallest id and the cells in common.
   std::vector<CellComplex::Contact>& contacts = this->Complex.Contacts;
   const double* points = this->Complex.Points.data();
   const auto isSaidBefore = [&](int at)
@@ -234,7 +242,10 @@ void CellComplexBuilder::DropCoplanarContacts()
     for (int k = at - 1; k >= 0 && contacts[k].Points[0] == c.Points[0]; --k)
     {
       const CellComplex::Contact& other = contacts[k];
-      if (other.Cells[0] == c.Cells[0] && other.Cells[1] == c.Cells[1] &&
+      // Ascending ids may turn one triangle of a face the other way.
+      if (std::minmax(other.Cells[0], other.Cells[1]) == std::minmax(c.Cells[0], c.Cells[1]) &&
+          HasArea(points + 3LL * other.Points[0], points + 3LL * other.Points[1],
+            points + 3LL * other.Points[2]) &&
           std::all_of(c.Points, c.Points + 3,
             [&](int p)
             {
@@ -254,7 +265,7 @@ void CellComplexBuilder::DropCoplanarContacts()
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        drop[i] = this->Secondary[i] && isSaidBefore(static_cast<int>(i));
+        drop[i] = this->IsPart[i] && isSaidBefore(static_cast<int>(i));
       }
     });
   size_t kept = 0;

@@ -42,7 +42,7 @@ private:
   std::vector<FaceTriangle> Sorted;
   std::vector<int> Bins;
   std::vector<Counts> Offsets;
-  std::vector<char> Secondary;
+  std::vector<char> IsPart;
 };
 
 #endif

@@ -4,16 +4,18 @@
 #include "CoincidentPoints.h"
 #include "PointCoordinates.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
+#include "vtkCellType.h"
 #include "vtkDataSet.h"
 #include "vtkDoubleArray.h"
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
 #include "vtkSMPTools.h"
+#include "vtkSmartPointer.h"
 #include "vtkUnsignedCharArray.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -39,6 +41,7 @@ private:
   bool TakePoints(vtkIdList* ids, std::vector<int>& points) const;
   void AddFaces(vtkIdType cell, vtkGenericCell* generic, const std::vector<int>& points,
     CellFaces& faces) const;
+  void FindTypes();
   void PlaceCells();
   void SetCenter(vtkIdType cell, const std::vector<int>& points);
 
@@ -46,6 +49,8 @@ private:
   CellComplex& Complex;
   vtkUnsignedCharArray* Imaginary;
   std::vector<vtkIdType> Canonical;
+  // Of each cell type that the input has: whether it is a linear cell of three dimensions.
+  std::array<bool, 256> HasFaces{};
 };
 
 //------------------------------------------------------------------------------
@@ -82,6 +87,23 @@ bool Reader::TakePoints(vtkIdList* ids, std::vector<int>& points) const
     points.push_back(static_cast<int>(this->Canonical[id]));
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void Reader::FindTypes()
+{
+  std::array<bool, 256> seen{};
+  for (vtkIdType cell = 0; cell < this->Input->GetNumberOfCells(); ++cell)
+  {
+    const int type = this->Input->GetCellType(cell);
+    const auto index = static_cast<unsigned char>(type);
+    if (!seen[index])
+    {
+      seen[index] = true;
+      const auto example = vtkSmartPointer<vtkCell>::Take(vtkGenericCell::InstantiateCell(type));
+      this->HasFaces[index] = example && example->IsLinear() && example->GetCellDimension() == 3;
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -156,13 +178,10 @@ void Reader::ReadRange(vtkIdType begin, vtkIdType end, CellFaces& faces)
     {
       faces.AddTetrahedron(static_cast<int>(cell), points.data());
     }
-    else if (vtkCellTypes::IsLinear(type) && type != VTK_EMPTY_CELL)
+    else if (this->HasFaces[static_cast<unsigned char>(type)])
     {
       this->Input->GetCell(cell, generic);
-      if (generic->GetCellDimension() == 3)
-      {
-        this->AddFaces(cell, generic, points, faces);
-      }
+      this->AddFaces(cell, generic, points, faces);
     }
     this->SetCenter(cell, points);
   }
@@ -175,6 +194,7 @@ std::vector<FaceTriangle> Reader::ReadCells()
   this->Complex.NumberOfCells = static_cast<int>(cells);
   this->Complex.Centers.assign(3 * static_cast<size_t>(cells), 0.0);
   this->PlaceCells();
+  this->FindTypes();
   if (cells > 0)
   {
     // The first call may build what all threads then read.

@@ -31,10 +31,10 @@ void Tidy(std::vector<int>& face)
 }
 
 //------------------------------------------------------------------------------
-void CellFaces::AddTriangle(int cell, const int corners[3], int side, bool secondary)
+void CellFaces::AddTriangle(int cell, const int corners[3], int side, bool isPart)
 {
   FaceTriangle triangle{ { corners[0], corners[1], corners[2] }, cell,
-    static_cast<signed char>(side), secondary };
+    static_cast<signed char>(side), isPart };
   std::sort(triangle.Points, triangle.Points + 3);
   this->Triangles.push_back(triangle);
 }
@@ -68,7 +68,7 @@ void CellFaces::AddFace(int cell, std::vector<int> face, const std::vector<int>&
   {
     int corners[3] = { face[0], face[i - 1], face[i] };
     std::sort(corners, corners + 3);
-    this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), i > 2);
+    this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), face.size() > 3);
   }
 }
 

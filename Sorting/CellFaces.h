@@ -15,8 +15,8 @@ struct FaceTriangle
   /** 1 where the cell lies on the side to which (p1 - p0) x (p2 - p0) points, -1 on the other, 0
    *  where the cell is flat. */
   signed char Side;
-  /** Not the first triangle of its face. */
-  bool Secondary;
+  /** One of several triangles of its face. */
+  bool IsPart;
 };
 
 class CellFaces
@@ -37,7 +37,7 @@ public:
   std::vector<FaceTriangle> Triangles;
 
 private:
-  void AddTriangle(int cell, const int corners[3], int side, bool secondary);
+  void AddTriangle(int cell, const int corners[3], int side, bool isPart);
   int FindSide(
     const int corners[3], const std::vector<int>& face, const std::vector<int>& cellPoints) const;
   const double* At(int point) const { return this->Points + 3 * static_cast<long long>(point); }

@@ -1,8 +1,8 @@
 #include "ConvexCellConversion.h"
 
+#include "CarriedData.h"
 #include "CoincidentPoints.h"
 
-#include "vtkAbstractArray.h"
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -25,6 +25,7 @@ constexpr vtkIdType BlockSize = 4096;
 // In place of a point's canonical id.
 constexpr vtkIdType NonFinitePoint = -1;
 constexpr vtkIdType HiddenPoint = -2;
+constexpr char ImaginaryArrayName[] = "Imaginary";
 
 bool ShapeOf(int cellType, Shape& shape)
 {
@@ -49,50 +50,16 @@ bool ShapeOf(int cellType, Shape& shape)
 }
 
 // Null where there is none that fits.
+const unsigned char* Bytes(vtkDataSetAttributes* data, const char* name, vtkIdType count)
+{
+  auto* array = vtkUnsignedCharArray::SafeDownCast(data->GetArray(name));
+  const bool fits = array && array->GetNumberOfValues() == count;
+  return fits && count > 0 ? array->GetPointer(0) : nullptr;
+}
+
 const unsigned char* GhostBits(vtkDataSetAttributes* data, vtkIdType count)
 {
-  auto* ghosts =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const bool fits = ghosts && ghosts->GetNumberOfValues() == count;
-  return fits && count > 0 ? ghosts->GetPointer(0) : nullptr;
-}
-
-// Output tuple i is input tuple sources[i]. By chunks, so that the lists stay in cache.
-// Arrays that do not have one tuple for each point or cell cannot be carried.
-vtkSmartPointer<vtkDataSetAttributes> WholeArrays(vtkDataSetAttributes* from, vtkIdType tuples)
-{
-  auto whole = vtkSmartPointer<vtkDataSetAttributes>::Take(from->NewInstance());
-  whole->ShallowCopy(from);
-  for (int i = whole->GetNumberOfArrays() - 1; i >= 0; --i)
-  {
-    if (whole->GetAbstractArray(i)->GetNumberOfTuples() != tuples)
-    {
-      whole->RemoveArray(i);
-    }
-  }
-  return whole;
-}
-
-void CopyTuples(
-  vtkDataSetAttributes* from, vtkDataSetAttributes* to, const vtkIdType* sources, vtkIdType count)
-{
-  constexpr vtkIdType chunkSize = 16384;
-  to->CopyAllOn();
-  to->CopyAllocate(from, count);
-  vtkNew<vtkIdList> fromIds;
-  vtkNew<vtkIdList> toIds;
-  for (vtkIdType begin = 0; begin < count && to->GetNumberOfArrays() > 0; begin += chunkSize)
-  {
-    const vtkIdType size = std::min(chunkSize, count - begin);
-    fromIds->SetNumberOfIds(size);
-    toIds->SetNumberOfIds(size);
-    for (vtkIdType i = 0; i < size; ++i)
-    {
-      fromIds->SetId(i, sources[begin + i]);
-      toIds->SetId(i, begin + i);
-    }
-    to->CopyData(from, fromIds, toIds);
-  }
+  return Bytes(data, vtkDataSetAttributes::GhostArrayName(), count);
 }
 }
 
@@ -103,6 +70,7 @@ ConvexCellConversion::ConvexCellConversion(vtkUnstructuredGridBase* input, bool 
   , NumberOfCells(input->GetNumberOfCells())
   , Points(input->GetPoints() ? input->GetPoints()->GetData() : nullptr)
   , GhostCells(GhostBits(input->GetCellData(), input->GetNumberOfCells()))
+  , ImaginaryCells(Bytes(input->GetCellData(), ImaginaryArrayName, input->GetNumberOfCells()))
 {
 }
 
@@ -234,6 +202,11 @@ ConvexCellPlan ConvexCellConversion::PlanCell(vtkIdType cell, vtkIdList* list) c
   ConvexCellPlan plan;
   Shape shape;
   vtkIdType ids[TetrahedralSplit::MaximumVertices];
+  if (this->ImaginaryCells && this->ImaginaryCells[cell] == 1)
+  {
+    plan.Fate = ConvexCellPlan::Imaginary;
+    return plan;
+  }
   if (this->GhostCells && (this->GhostCells[cell] & ghostBits))
   {
     plan.Fate = ConvexCellPlan::Ghost;
@@ -325,31 +298,37 @@ void ConvexCellConversion::WriteBlocks(vtkIdType begin, vtkIdType end)
 void ConvexCellConversion::FillOutput(vtkUnstructuredGrid* output)
 {
   this->FillPoints(output);
-  vtkNew<vtkCellArray> cells;
-  cells->SetData(this->Offsets, this->Ids);
-  output->SetCells(this->OutputTypes, cells);
+  if (this->OutputCells->GetNumberOfCells() == 0)
+  {
+    this->OutputCells->SetData(this->Offsets, this->Ids);
+  }
+  output->SetCells(this->OutputTypes, this->OutputCells);
   this->FillCellData(output);
 }
 
-void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output) const
+void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output)
 {
   if (this->OutputIds.empty())
   {
     output->SetPoints(this->Input->GetPoints());
     output->GetPointData()->PassData(
-      WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()));
+      CarriedData::WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()));
     return;
   }
   const auto count = static_cast<vtkIdType>(this->SourcePoints.size());
-  vtkNew<vtkPoints> points;
-  points->SetDataType(this->Input->GetPoints()->GetDataType());
-  points->SetNumberOfPoints(count);
-  vtkNew<vtkIdList> list;
-  list->SetNumberOfIds(count);
-  std::copy(this->SourcePoints.begin(), this->SourcePoints.end(), list->GetPointer(0));
-  this->Input->GetPoints()->GetData()->GetTuples(list, points->GetData());
-  output->SetPoints(points);
-  CopyTuples(WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()),
+  if (!this->OutputPoints)
+  {
+    this->OutputPoints = vtkSmartPointer<vtkPoints>::New();
+    this->OutputPoints->SetDataType(this->Input->GetPoints()->GetDataType());
+    this->OutputPoints->SetNumberOfPoints(count);
+    vtkNew<vtkIdList> list;
+    list->SetNumberOfIds(count);
+    std::copy(this->SourcePoints.begin(), this->SourcePoints.end(), list->GetPointer(0));
+    this->Input->GetPoints()->GetData()->GetTuples(list, this->OutputPoints->GetData());
+  }
+  output->SetPoints(this->OutputPoints);
+  CarriedData::CopyTuples(
+    CarriedData::WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()),
     output->GetPointData(), this->SourcePoints.data(), count);
 }
 
@@ -361,16 +340,22 @@ void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
   const auto& plans = this->Plans;
   if (std::all_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Whole)))
   {
-    data->PassData(WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()));
+    data->PassData(
+      CarriedData::WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()));
   }
   else
   {
-    CopyTuples(WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()), data,
+    CarriedData::CopyTuples(
+      CarriedData::WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()), data,
       this->SourceCells->GetPointer(0), this->SourceCells->GetNumberOfValues());
   }
   if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Tetrahedra)))
   {
     data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  }
+  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Imaginary)))
+  {
+    data->RemoveArray(ImaginaryArrayName);
   }
   data->AddArray(this->SourceCells);
 }
@@ -380,4 +365,21 @@ ConvexCellCounts ConvexCellConversion::Count() const
   ConvexCellCounts counts = CountConvexCells(this->Plans, this->Types);
   counts.MergedPoints = this->NumberOfMergedPoints;
   return counts;
+}
+
+void ConvexCellConversion::ReleaseWorkingMemory()
+{
+  this->Cells = nullptr;
+  std::vector<vtkIdType>().swap(this->Canonical);
+  std::vector<ConvexCellCursor>().swap(this->BlockStarts);
+}
+
+bool ConvexCellConversion::HasSameTypes(vtkUnstructuredGridBase* input) const
+{
+  bool same = input->GetNumberOfCells() == this->NumberOfCells;
+  for (vtkIdType cell = 0; same && cell < this->NumberOfCells; ++cell)
+  {
+    same = this->Types[cell] == static_cast<unsigned char>(input->GetCellType(cell));
+  }
+  return same;
 }

@@ -21,6 +21,7 @@
 class vtkCellArray;
 class vtkIdList;
 class vtkIdTypeArray;
+class vtkPoints;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 class vtkUnstructuredGridBase;
@@ -41,13 +42,21 @@ public:
   void FillOutput(vtkUnstructuredGrid* output);     // points and data
   ConvexCellCounts Count() const;
 
+  /** Gives back what only the steps before FillOutput need. */
+  void ReleaseWorkingMemory();
+
+  /** FillOutput then takes the data of `input`, whose points, cells and their types are the same:
+   *  the output's points and cells stay the objects they were. */
+  void TakeDataFrom(vtkUnstructuredGridBase* input) { this->Input = input; }
+  bool HasSameTypes(vtkUnstructuredGridBase* input) const;
+
 private:
   using Shape = TetrahedralSplit::Shape;
 
   bool ReadIds(vtkIdType cell, Shape shape, vtkIdList* list, vtkIdType* ids) const;
   ConvexCellPlan PlanCell(vtkIdType cell, vtkIdList* list) const;
   void NumberOutputPoints();
-  void FillPoints(vtkUnstructuredGrid* output) const;
+  void FillPoints(vtkUnstructuredGrid* output);
   void FillCellData(vtkUnstructuredGrid* output) const;
   template <typename Visit>
   void VisitBlocks(vtkIdType begin, vtkIdType end, Visit visit);
@@ -58,6 +67,7 @@ private:
   const vtkIdType NumberOfCells;
   const PointCoordinates Points;
   const unsigned char* GhostCells;
+  const unsigned char* ImaginaryCells;
 
   std::vector<unsigned char> Types;
   vtkSmartPointer<vtkCellArray> Cells;
@@ -72,6 +82,8 @@ private:
   vtkNew<vtkIdTypeArray> Offsets;
   vtkNew<vtkIdTypeArray> Ids;
   vtkNew<vtkIdTypeArray> SourceCells;
+  vtkNew<vtkCellArray> OutputCells;
+  vtkSmartPointer<vtkPoints> OutputPoints; // null where the input's are taken
 };
 
 #endif

@@ -56,9 +56,10 @@ ConvexCellCounts CountConvexCells(
   counts.ZeroVolumeCells = fates[ConvexCellPlan::ZeroVolume];
   counts.GhostCells = fates[ConvexCellPlan::Ghost];
   counts.NonFiniteCells = fates[ConvexCellPlan::NonFinite];
+  counts.ImaginaryCells = fates[ConvexCellPlan::Imaginary];
   counts.InvalidCells = fates[ConvexCellPlan::Invalid];
   counts.SkippedCells = static_cast<vtkIdType>(plans.size()) - fates[ConvexCellPlan::Whole] -
-                        fates[ConvexCellPlan::Tetrahedra];
+                        fates[ConvexCellPlan::Tetrahedra] - counts.ImaginaryCells;
   if (fates[ConvexCellPlan::OtherType] > 0)
   {
     CountOtherTypes(plans, types, counts);

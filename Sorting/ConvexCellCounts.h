@@ -23,6 +23,7 @@ struct ConvexCellCounts
   vtkIdType UnsupportedCells = 0;
   vtkIdType GhostCells = 0;
   vtkIdType NonFiniteCells = 0;
+  vtkIdType ImaginaryCells = 0;
   vtkIdType InvalidCells = 0;
   std::string LeftOutSummary;
 };

@@ -20,6 +20,7 @@ struct ConvexCellPlan
     OtherType,  // not a shape that is handled here
     Ghost,      // the rest is refused before it gets here, by the owner of the mesh
     NonFinite,
+    Imaginary, // sorts, but has nothing to draw
     Invalid
   };
   FateType Fate = Invalid;

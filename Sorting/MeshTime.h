@@ -1,26 +1,20 @@
+/**
+ * What a mesh's order depends on, as times: points, cells, and the marks of imaginary cells.
+ *
+ * New scalars move no cell and change none of these. One time for each, for an older object may
+ * take another's place. Other data sets than unstructured grids have one time for everything.
+ */
 #ifndef MeshTime_h
 #define MeshTime_h
 
-#include "vtkCellArray.h"
-#include "vtkDataArray.h"
-#include "vtkPoints.h"
-#include "vtkUnstructuredGrid.h"
+#include "vtkType.h"
 
-#include <algorithm>
+#include <array>
 
-/// When points or cells changed last: new scalars move no cell. Other data sets than unstructured
-/// grids have one time for everything.
-inline vtkMTimeType MeshTimeOf(vtkDataSet* input)
-{
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (!grid || !grid->GetPoints())
-  {
-    return input->GetMTime();
-  }
-  // The arrays may be modified without a word to what holds them.
-  const vtkMTimeType arrays = std::max(
-    grid->GetPoints()->GetData()->GetMTime(), grid->GetCells()->GetConnectivityArray()->GetMTime());
-  return std::max({ grid->GetPoints()->GetMTime(), grid->GetCells()->GetMTime(), arrays });
-}
+class vtkDataSet;
+
+using MeshTime = std::array<vtkMTimeType, 6>;
+
+MeshTime MeshTimeOf(vtkDataSet* input);
 
 #endif

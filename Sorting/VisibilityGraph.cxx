@@ -1,7 +1,8 @@
 #include "VisibilityGraph.h"
 
 #include "Convexification.h"
-#include "ExactOrientation.h"
+#include "GapRelations.h"
+#include "GroupOrder.h"
 #include "MortonOrder.h"
 #include "StrongComponents.h"
 #include "vtkBoundingBox.h"
@@ -9,25 +10,8 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <atomic>
-#include <cmath>
-#include <limits>
 #include <numeric>
-
-namespace
-{
-// Of a distance to a plane in floats, per unit of the eye's coordinates: rounding of the normal and
-// of the sum stays below a tenth of it.
-constexpr float FloatError = 1e-6f;
-
-// Below this sine of the angle between its edges a triangle's own normal, in doubles, is too rough.
-constexpr double SmallestSine = 1e-8;
-
-// Added to a sign that the rounded look could not decide.
-constexpr int Undecided = 4;
-
-constexpr vtkIdType BlockSize = 4096;
-}
+#include <set>
 
 //------------------------------------------------------------------------------
 void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* imaginary)
@@ -38,8 +22,7 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
   this->NumberCells();
   this->TakeContacts(complex, imaginary);
   this->LinkCells();
-  this->SetPlanes();
-  this->Signs.assign(this->Contacts.size(), 0);
+  this->Signs.Build(complex.Points, this->Contacts, this->Center, this->Size);
   this->Sorted = false;
 }
 
@@ -78,7 +61,7 @@ void VisibilityGraph::NumberCells()
   if (box.IsValid())
   {
     box.GetCenter(this->Center);
-    this->Scale = box.GetDiagonalLength() > 0.0 ? 1.0 / box.GetDiagonalLength() : 1.0;
+    this->Size = box.GetDiagonalLength();
   }
   this->InputId = MortonOrder::Find(this->Centers, box);
   std::stable_partition(this->InputId.begin(), this->InputId.end(),
@@ -132,68 +115,25 @@ void VisibilityGraph::LinkCells()
   }
   std::partial_sum(this->LinkOffsets.begin(), this->LinkOffsets.end(), this->LinkOffsets.begin());
   std::vector<int> next = this->LinkOffsets;
-  this->Neighbors.resize(2 * this->Contacts.size());
-  this->ContactSides.resize(2 * this->Contacts.size());
+  this->Links.resize(2 * this->Contacts.size());
   for (int i = 0; i < static_cast<int>(this->Contacts.size()); ++i)
   {
     for (int side = 0; side < 2; ++side)
     {
-      const int link = next[this->Contacts[i].Cells[side]]++;
-      this->Neighbors[link] = this->Contacts[i].Cells[1 - side];
-      this->ContactSides[link] = 2 * i + side;
+      const int cell = this->Contacts[i].Cells[side];
+      this->Links[next[cell]++] = { this->Contacts[i].Cells[1 - side], 2 * i + side };
     }
   }
-  this->LongLists.resize(this->Neighbors.size());
+  this->LongLists.resize(this->Links.size());
   this->Cells.resize(cells);
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::SetPlanes()
-{
-  for (std::vector<float>& values : this->ContactPlanes)
-  {
-    values.resize(this->Contacts.size());
-  }
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Contacts.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->SetPlane(i);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::SetPlane(vtkIdType contact)
-{
-  const double* p[3];
-  for (int k = 0; k < 3; ++k)
-  {
-    p[k] = this->Points->data() + 3 * static_cast<size_t>(this->Contacts[contact].Points[k]);
-  }
-  double u[3], v[3], normal[3], fromCenter[3];
-  vtkMath::Subtract(p[1], p[0], u);
-  vtkMath::Subtract(p[2], p[0], v);
-  vtkMath::Subtract(p[0], this->Center, fromCenter);
-  vtkMath::Cross(u, v, normal);
-  const double sine = vtkMath::Norm(normal) / (vtkMath::Norm(u) * vtkMath::Norm(v));
-  vtkMath::Normalize(normal);
-  for (int k = 0; k < 3; ++k)
-  {
-    // What is not a number decides nothing: the exact sign is taken.
-    this->ContactPlanes[k][contact] =
-      sine > SmallestSine ? static_cast<float>(normal[k]) : std::numeric_limits<float>::quiet_NaN();
-  }
-  this->ContactPlanes[3][contact] =
-    static_cast<float>(-vtkMath::Dot(normal, fromCenter) * this->Scale);
 }
 
 //------------------------------------------------------------------------------
 bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
 {
-  const bool changed = this->FindSigns(eye);
-  if (this->Sorted && !changed && centersFirst == this->SortedByCenters)
+  const bool changed = this->Signs.Update(this->Contacts, eye);
+  // What the centres tell apart changes without a sign.
+  if (this->Sorted && !changed && !centersFirst && !this->SortedByCenters)
   {
     return false;
   }
@@ -210,77 +150,6 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
   }
   this->TakeInputIds();
   return true;
-}
-
-//------------------------------------------------------------------------------
-bool VisibilityGraph::FindSigns(const double eye[4])
-{
-  float rounded[4] = { 0.0f, 0.0f, 0.0f, static_cast<float>(eye[3]) };
-  double length = 0.0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const double x = eye[3] == 0.0 ? eye[i] : (eye[i] - this->Center[i]) * this->Scale;
-    rounded[i] = static_cast<float>(x);
-    length += std::abs(x);
-  }
-  // A plane of the mesh is at most a diagonal away from its middle.
-  const float bound = FloatError * static_cast<float>(length + 2.0 * eye[3]);
-  std::atomic<int> changed(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Contacts.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      // Blocks that stay in the cache between the rounded and the exact look.
-      for (vtkIdType at = begin; at < end; at += BlockSize)
-      {
-        const vtkIdType last = std::min(end, at + BlockSize);
-        const int different =
-          this->UpdateSigns(at, last, rounded, bound) | this->DecideExactly(at, last, eye);
-        if (different != 0)
-        {
-          changed.store(1, std::memory_order_relaxed);
-        }
-      }
-    });
-  return changed.load() != 0;
-}
-
-//------------------------------------------------------------------------------
-int VisibilityGraph::UpdateSigns(vtkIdType begin, vtkIdType end, const float eye[4], float bound)
-{
-  const float *x = this->ContactPlanes[0].data(), *y = this->ContactPlanes[1].data(),
-              *z = this->ContactPlanes[2].data(), *offset = this->ContactPlanes[3].data();
-  const float e[4] = { eye[0], eye[1], eye[2], eye[3] };
-  signed char* signs = this->Signs.data();
-  int different = 0;
-  for (vtkIdType i = begin; i < end; ++i)
-  {
-    const float distance = x[i] * e[0] + y[i] * e[1] + z[i] * e[2] + offset[i] * e[3];
-    const int sign = (distance > bound) - (distance < -bound);
-    // An undecided sign keeps the old one in itself, for the exact one to be compared with.
-    const int old = signs[i];
-    different |= sign != 0 ? sign ^ old : 0;
-    signs[i] = static_cast<signed char>(sign != 0 ? sign : old + Undecided);
-  }
-  return different;
-}
-
-//------------------------------------------------------------------------------
-int VisibilityGraph::DecideExactly(vtkIdType begin, vtkIdType end, const double eye[4])
-{
-  const double* points = this->Points->data();
-  int different = 0;
-  for (vtkIdType i = begin; i < end; ++i)
-  {
-    if (this->Signs[i] > 1)
-    {
-      const int* p = this->Contacts[i].Points;
-      const int sign = ExactOrientation::SideOfEye(points + 3 * static_cast<size_t>(p[0]),
-        points + 3 * static_cast<size_t>(p[1]), points + 3 * static_cast<size_t>(p[2]), eye);
-      different |= sign ^ (this->Signs[i] - Undecided);
-      this->Signs[i] = static_cast<signed char>(sign);
-    }
-  }
-  return different;
 }
 
 //------------------------------------------------------------------------------
@@ -311,7 +180,7 @@ void VisibilityGraph::FindNearer(vtkIdType cell)
     const int across = this->CompareAcross(link);
     farther += across < 0 ? 1 : 0;
     // Written in any case, kept where it counts: no branch to guess.
-    list[nearer] = this->Neighbors[link];
+    list[nearer] = this->Links[link].Neighbor;
     nearer += across > 0 ? 1 : 0;
   }
   if (nearer > 3)
@@ -404,20 +273,82 @@ void VisibilityGraph::TakeInputIds()
 //------------------------------------------------------------------------------
 void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
 {
-  group.erase(std::remove_if(
-                group.begin(), group.end(), [this](int cell) { return !this->IsMeshCell(cell); }),
-    group.end());
   std::sort(group.begin(), group.end(),
     [&](int a, int b) { return this->GetDistance(a, eye) > this->GetDistance(b, eye); });
-  this->OwnOrder.insert(this->OwnOrder.end(), group.begin(), group.end());
-  if (group.size() > 1)
+  const auto imaginary = std::stable_partition(
+    group.begin(), group.end(), [this](int cell) { return this->IsMeshCell(cell); });
+  std::unordered_map<int, int> placeOf;
+  for (auto cell = group.begin(); cell != imaginary; ++cell)
   {
-    for (const int cell : group)
-    {
-      this->GroupCells.push_back(this->InputId[cell]);
-    }
-    this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
+    placeOf.emplace(*cell, static_cast<int>(placeOf.size()));
   }
+  std::vector<std::pair<int, int>> relations = this->FindRelations(group, placeOf);
+  if (imaginary != group.end())
+  {
+    // That three cells follow each other through gaps does not mean that a ray meets the first and
+    // the last: without the imaginary cells most circles are none.
+    const std::vector<std::pair<int, int>> gaps = this->FindGapRelations(placeOf, eye);
+    relations.insert(relations.end(), gaps.begin(), gaps.end());
+  }
+  for (const std::vector<int>& circle :
+    GroupOrder::Find(static_cast<int>(placeOf.size()), relations))
+  {
+    for (const int place : circle)
+    {
+      this->OwnOrder.push_back(group[place]);
+      if (circle.size() > 1)
+      {
+        this->GroupCells.push_back(this->InputId[group[place]]);
+      }
+    }
+    if (circle.size() > 1)
+    {
+      this->GroupOffsets.push_back(static_cast<vtkIdType>(this->GroupCells.size()));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, int>> VisibilityGraph::FindRelations(
+  const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const
+{
+  std::vector<std::pair<int, int>> relations;
+  for (int place = 0; place < static_cast<int>(placeOf.size()); ++place)
+  {
+    const int cell = group[place];
+    for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
+    {
+      const auto nearer = placeOf.find(this->Links[link].Neighbor);
+      if (nearer != placeOf.end() && this->CompareAcross(link) > 0)
+      {
+        relations.emplace_back(place, nearer->second);
+      }
+    }
+  }
+  return relations;
+}
+
+//------------------------------------------------------------------------------
+std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
+  const std::unordered_map<int, int>& placeOf, const double eye[4]) const
+{
+  std::vector<GapTriangle> far, near;
+  std::set<std::array<int, 4>> seen;
+  for (const auto& cell : placeOf)
+  {
+    for (int link = this->LinkOffsets[cell.first]; link < this->LinkOffsets[cell.first + 1]; ++link)
+    {
+      const int across = this->CompareAcross(link);
+      const int* p = this->Contacts[this->Links[link].ContactAndSide >> 1].Points;
+      // A triangle may touch several imaginary cells.
+      if (!this->IsMeshCell(this->Links[link].Neighbor) && across != 0 &&
+          seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
+      {
+        (across > 0 ? far : near).push_back({ { p[0], p[1], p[2] }, cell.second });
+      }
+    }
+  }
+  return GapRelations::Find(this->Points->data(), far, near, eye);
 }
 
 //------------------------------------------------------------------------------
@@ -433,7 +364,7 @@ void VisibilityGraph::SortGroups(const double eye[4])
     {
       return -2;
     }
-    const int neighbor = this->Neighbors[link];
+    const int neighbor = this->Links[link].Neighbor;
     return this->CompareAcross(link) < 0 && this->IsWaiting(neighbor) ? neighbor : -1;
   };
   for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)

@@ -15,9 +15,11 @@
 #define VisibilityGraph_h
 
 #include "CellComplex.h"
+#include "ContactSigns.h"
 #include "vtkType.h"
 
-#include <array>
+#include <unordered_map>
+#include <utility>
 #include <vector>
 
 struct ImaginaryCells;
@@ -30,8 +32,8 @@ public:
 
   /** Orders the cells for an eye: a point where eye[3] is 1, a direction towards the eye where it
    *  is 0. Cells that nothing tells apart come from the farthest centre on where `centersFirst`
-   *  says so (meshes that are not convex). False where no sign has changed since the last call, and
-   *  with it the order. */
+   *  says so (meshes that are not convex), anew for every eye. Else false where no sign has changed
+   *  since the last call, and with it the order. */
   bool Sort(const double eye[4], bool centersFirst);
 
   /** Ids of the complex's cells, farthest first; imaginary cells are not among them. */
@@ -52,23 +54,21 @@ private:
     /** The nearer neighbours; or where they begin and end in LongLists. */
     int Nearer[3];
   };
+  /** A contact as one of its cells sees it. */
+  struct Link
+  {
+    int Neighbor;
+    /** The contact, with the cell's side in the last bit. */
+    int ContactAndSide;
+  };
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
-
-  /** Planes about the middle of the mesh, in units of its size: x, y and z of the normal, offset.
-   */
-  using Planes = std::array<std::vector<float>, 4>;
 
   void TakeCenters(const CellComplex& complex, const ImaginaryCells* imaginary);
   void NumberCells();
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
-  void SetPlanes();
-  void SetPlane(vtkIdType contact);
 
-  bool FindSigns(const double eye[4]);
-  int UpdateSigns(vtkIdType begin, vtkIdType end, const float eye[4], float bound);
-  int DecideExactly(vtkIdType begin, vtkIdType end, const double eye[4]);
   void FindNearer();
   void FindNearer(vtkIdType cell);
   bool IsWaiting(int cell) const { return this->Cells[cell].State >= WaitingUnit; }
@@ -76,12 +76,16 @@ private:
   void SortTopologically();
   void SortGroups(const double eye[4]);
   void AppendGroup(std::vector<int>& group, const double eye[4]);
+  std::vector<std::pair<int, int>> FindRelations(
+    const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const;
+  std::vector<std::pair<int, int>> FindGapRelations(
+    const std::unordered_map<int, int>& placeOf, const double eye[4]) const;
   void TakeInputIds();
   bool IsMeshCell(int cell) const { return cell < this->NumberOfMeshCells; }
   /** 1 where the cell across a link is nearer to the eye, -1 where it is farther. */
   int CompareAcross(int link) const
   {
-    const int contactAndSide = this->ContactSides[link];
+    const int contactAndSide = this->Links[link].ContactAndSide;
     const int sign = this->Signs[contactAndSide >> 1];
     return (contactAndSide & 1) != 0 ? sign : -sign;
   }
@@ -90,21 +94,18 @@ private:
   const std::vector<double>* Points = nullptr;
   int NumberOfMeshCells = 0;
   double Center[3] = { 0.0, 0.0, 0.0 };
-  double Scale = 1.0;
+  double Size = 0.0;
 
   // Cells by the graph's own numbers: those of the mesh first.
   std::vector<double> Centers;
   std::vector<int> InputId;
   std::vector<int> OwnId;
   std::vector<CellComplex::Contact> Contacts;
-  Planes ContactPlanes;
-  // Per cell and contact: the cell across, and the contact with the cell's side in the last bit.
   std::vector<int> LinkOffsets;
-  std::vector<int> Neighbors;
-  std::vector<int> ContactSides;
+  std::vector<Link> Links;
 
   // Per frame. LongLists: the nearer neighbours of cells with many, from their link offset on.
-  std::vector<signed char> Signs;
+  ContactSigns Signs;
   std::vector<Cell> Cells;
   std::vector<int> LongLists;
   std::vector<int> Stack;

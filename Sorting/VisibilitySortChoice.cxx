@@ -31,7 +31,7 @@ int VisibilitySortChoice::Resolve(int method, vtkDataSet* input, bool convexify)
   {
     return method == Automatic ? int(MPVO) : method;
   }
-  const vtkMTimeType time = MeshTimeOf(input);
+  const MeshTime time = MeshTimeOf(input);
   if (input != this->SeenInput || time != this->SeenTime)
   {
     this->SeenInput = input;

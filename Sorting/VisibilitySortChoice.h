@@ -8,6 +8,7 @@
 #ifndef VisibilitySortChoice_h
 #define VisibilitySortChoice_h
 
+#include "MeshTime.h"
 #include "vtkPowerVisibilitySort.h"
 
 #include "vtkSmartPointer.h"
@@ -45,7 +46,7 @@ private:
 
   vtkSmartPointer<vtkPowerVisibilitySort> ExactPower;
   vtkDataSet* SeenInput = nullptr; // compared only
-  vtkMTimeType SeenTime = 0;
+  MeshTime SeenTime{};
 };
 
 #endif

@@ -3,12 +3,17 @@
 #include "ConvexCellConversion.h"
 #include "VTKVersions.h"
 
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
+#include "vtkPointData.h"
+#include "vtkPoints.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <utility>
 
 vtkStandardNewMacro(vtkConvexCells);
 
@@ -33,6 +38,9 @@ bool RunInSteps(vtkAlgorithm* filter, vtkIdType count, double from, double to, S
 }
 }
 
+vtkConvexCells::vtkConvexCells() = default;
+vtkConvexCells::~vtkConvexCells() = default;
+
 int vtkConvexCells::FillInputPortInformation(int, vtkInformation* info)
 {
   info->Set(vtkAlgorithm::INPUT_REQUIRED_DATA_TYPE(), "vtkUnstructuredGridBase");
@@ -49,8 +57,30 @@ int vtkConvexCells::RequestData(
     vtkErrorMacro("The input is no vtkUnstructuredGridBase: connect an unstructured grid.");
     return 0;
   }
+  const std::vector<vtkMTimeType> sources = this->FindSources(input);
+  if (this->Last && sources == this->LastSources && this->Last->HasSameTypes(input))
+  {
+    this->Last->TakeDataFrom(input);
+    this->Last->FillOutput(output);
+    return 1;
+  }
   this->TakeCounts(ConvexCellCounts{});
-  ConvexCellConversion conversion(input, this->TetrahedraOnly);
+  this->Last = nullptr;
+  auto conversion = std::make_unique<ConvexCellConversion>(input, this->TetrahedraOnly);
+  if (this->Convert(*conversion))
+  {
+    conversion->FillOutput(output);
+    this->TakeCounts(conversion->Count());
+    conversion->ReleaseWorkingMemory();
+    this->Last = std::move(conversion);
+    this->LastSources = sources;
+    this->UpdateProgress(1.0);
+  }
+  return 1;
+}
+
+bool vtkConvexCells::Convert(ConvexCellConversion& conversion)
+{
   conversion.ReadCells();
   this->UpdateProgress(0.05);
   conversion.MergePoints();
@@ -60,17 +90,31 @@ int vtkConvexCells::RequestData(
   const vtkIdType blocks = conversion.GetNumberOfBlocks();
   if (!RunInSteps(this, blocks, 0.2, 0.5, plan))
   {
-    return 1;
+    return false;
   }
   conversion.AllocateCells();
-  if (!RunInSteps(this, blocks, 0.5, 0.8, write))
-  {
-    return 1;
-  }
-  conversion.FillOutput(output);
-  this->TakeCounts(conversion.Count());
-  this->UpdateProgress(1.0);
-  return 1;
+  return RunInSteps(this, blocks, 0.5, 0.8, write);
+}
+
+std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* input) const
+{
+  std::vector<vtkMTimeType> times = { this->TetrahedraOnly };
+  const auto add = [&times](vtkObject* source)
+  { times.push_back(source ? source->GetMTime() : 0); };
+  vtkPoints* points = input->GetPoints();
+  add(points);
+  add(points ? points->GetData() : nullptr);
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  vtkCellArray* cells = grid ? grid->GetCells() : nullptr;
+  // Of other implementations nothing but the whole has a time.
+  add(cells ? static_cast<vtkObject*>(cells) : input);
+  add(cells ? cells->GetOffsetsArray() : nullptr);
+  add(cells ? cells->GetConnectivityArray() : nullptr);
+  const char* ghosts = vtkDataSetAttributes::GhostArrayName();
+  add(input->GetPointData()->GetArray(ghosts));
+  add(input->GetCellData()->GetArray(ghosts));
+  add(input->GetCellData()->GetArray("Imaginary"));
+  return times;
 }
 
 void vtkConvexCells::TakeCounts(const ConvexCellCounts& counts)
@@ -86,6 +130,7 @@ void vtkConvexCells::TakeCounts(const ConvexCellCounts& counts)
   this->NumberOfUnsupportedCells = counts.UnsupportedCells;
   this->NumberOfGhostCells = counts.GhostCells;
   this->NumberOfNonFiniteCells = counts.NonFiniteCells;
+  this->NumberOfImaginaryCells = counts.ImaginaryCells;
   this->NumberOfInvalidCells = counts.InvalidCells;
   this->LeftOutSummary = counts.LeftOutSummary;
 }

@@ -29,6 +29,12 @@
  * exist. GetLeftOutSummary() says it in one line. Nothing in the input is an error: empty gives
  * empty. An aborted update leaves the output empty.
  *
+ * Cells whose cell array `Imaginary` (unsigned char) is 1 fill gaps for a sort and have nothing to
+ * draw: they and that array are left out, and counted apart.
+ *
+ * Where only data change and points and cells do not, the output keeps its points and cells: their
+ * GetMTime() says whether the geometry is new.
+ *
  * Not guaranteed: warped faces and hexahedra that are not convex are not detected, save that cells
  * whose tetrahedra have both signs are counted as folded (their tetrahedra, all turned positive,
  * overlap). Coincident points with different data are not told apart: the smallest id wins. A flat
@@ -41,9 +47,13 @@
 #include "vtkCellProjectionModule.h" // for export macro
 #include "vtkUnstructuredGridAlgorithm.h"
 
+#include <memory> // for std::unique_ptr
 #include <string> // for std::string
+#include <vector> // for std::vector
 
+class ConvexCellConversion;
 struct ConvexCellCounts;
+class vtkUnstructuredGridBase;
 
 class VTKCELLPROJECTION_EXPORT vtkConvexCells : public vtkUnstructuredGridAlgorithm
 {
@@ -121,6 +131,11 @@ public:
   vtkGetMacro(NumberOfNonFiniteCells, vtkIdType);
 
   /**
+   * Cells marked as imaginary; not among the skipped ones.
+   */
+  vtkGetMacro(NumberOfImaginaryCells, vtkIdType);
+
+  /**
    * Cells with a wrong number of points, or with a point that does not exist.
    */
   vtkGetMacro(NumberOfInvalidCells, vtkIdType);
@@ -133,8 +148,8 @@ public:
   std::string GetLeftOutSummary() const { return this->LeftOutSummary; }
 
 protected:
-  vtkConvexCells() = default;
-  ~vtkConvexCells() override = default;
+  vtkConvexCells();
+  ~vtkConvexCells() override;
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
@@ -145,6 +160,8 @@ private:
   void operator=(const vtkConvexCells&) = delete;
 
   void TakeCounts(const ConvexCellCounts& counts);
+  bool Convert(ConvexCellConversion& conversion);
+  std::vector<vtkMTimeType> FindSources(vtkUnstructuredGridBase* input) const;
 
   bool TetrahedraOnly = false;
 
@@ -159,8 +176,13 @@ private:
   vtkIdType NumberOfUnsupportedCells = 0;
   vtkIdType NumberOfGhostCells = 0;
   vtkIdType NumberOfNonFiniteCells = 0;
+  vtkIdType NumberOfImaginaryCells = 0;
   vtkIdType NumberOfInvalidCells = 0;
   std::string LeftOutSummary;
+
+  // The last conversion, and what its geometry was made from.
+  std::unique_ptr<ConvexCellConversion> Last;
+  std::vector<vtkMTimeType> LastSources;
 };
 
 #endif

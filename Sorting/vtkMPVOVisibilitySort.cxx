@@ -23,7 +23,7 @@ vtkMPVOVisibilitySort::vtkMPVOVisibilitySort()
 vtkMPVOVisibilitySort::~vtkMPVOVisibilitySort() = default;
 
 //------------------------------------------------------------------------------
-void vtkMPVOVisibilitySort::SortCells(const double eye[4], std::vector<vtkIdType>& order)
+const std::vector<vtkIdType>& vtkMPVOVisibilitySort::SortCells(const double eye[4])
 {
   const ImaginaryCells& imaginary = this->GetImaginaryCells();
   if (this->Internal->SeenComplex != this->ComplexTime.GetMTime())
@@ -35,7 +35,7 @@ void vtkMPVOVisibilitySort::SortCells(const double eye[4], std::vector<vtkIdType
   {
     ++this->NumberOfSorts;
   }
-  order = this->Internal->Graph.GetOrder();
+  return this->Internal->Graph.GetOrder();
 }
 
 //------------------------------------------------------------------------------

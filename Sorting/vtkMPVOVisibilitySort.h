@@ -45,7 +45,7 @@ protected:
   vtkMPVOVisibilitySort();
   ~vtkMPVOVisibilitySort() override;
 
-  void SortCells(const double eye[4], std::vector<vtkIdType>& order) override;
+  const std::vector<vtkIdType>& SortCells(const double eye[4]) override;
   void FindCyclicGroups(std::vector<vtkIdType>& cells, std::vector<vtkIdType>& offsets) override;
   bool IsOrderRightAcrossGaps() override;
 

@@ -6,6 +6,7 @@
 #include "MeshTime.h"
 #include "PowerCells.h"
 
+#include "vtkDataSet.h"
 #include "vtkIdList.h"
 #include "vtkObjectFactory.h"
 #include "vtkSMPThreadLocalObject.h"
@@ -29,14 +30,16 @@ void ReadCorners(vtkDataSet* input, vtkIdType cell, vtkIdList* ids, std::vector<
 class vtkPowerVisibilitySort::Internals
 {
 public:
+  std::vector<vtkIdType> Order;
+
   /** Forgets everything where the mesh has changed. */
   void Follow(vtkDataSet* input)
   {
-    const vtkMTimeType time = MeshTimeOf(input);
-    if (input != this->Input || time != this->MeshTime)
+    const MeshTime time = MeshTimeOf(input);
+    if (input != this->Input || time != this->SeenTime)
     {
       this->Input = input;
-      this->MeshTime = time;
+      this->SeenTime = time;
       this->HasCells = false;
       this->NumberOfIrregularFaces = -1;
     }
@@ -55,7 +58,7 @@ public:
   vtkIdType CountIrregularFaces(const CellComplex& complex);
 
   vtkDataSet* Input = nullptr; // compared, and used while it is the sort's input
-  vtkMTimeType MeshTime = 0;
+  MeshTime SeenTime{};
   vtkIdType NumberOfIrregularFaces = -1; // negative: not known yet
 
 private:
@@ -111,10 +114,11 @@ vtkPowerVisibilitySort::vtkPowerVisibilitySort()
 vtkPowerVisibilitySort::~vtkPowerVisibilitySort() = default;
 
 //------------------------------------------------------------------------------
-void vtkPowerVisibilitySort::SortCells(const double eye[4], std::vector<vtkIdType>& order)
+const std::vector<vtkIdType>& vtkPowerVisibilitySort::SortCells(const double eye[4])
 {
   this->Internal->Follow(this->Input);
-  this->Internal->GetCells().SortBackToFront(eye, order);
+  this->Internal->GetCells().SortBackToFront(eye, this->Internal->Order);
+  return this->Internal->Order;
 }
 
 //------------------------------------------------------------------------------

@@ -56,7 +56,7 @@ protected:
   vtkPowerVisibilitySort();
   ~vtkPowerVisibilitySort() override;
 
-  void SortCells(const double eye[4], std::vector<vtkIdType>& order) override;
+  const std::vector<vtkIdType>& SortCells(const double eye[4]) override;
 
 private:
   vtkPowerVisibilitySort(const vtkPowerVisibilitySort&) = delete;

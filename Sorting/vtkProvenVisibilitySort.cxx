@@ -3,6 +3,7 @@
 #include "CellComplexReader.h"
 #include "Convexification.h"
 #include "ImaginaryGrid.h"
+#include "MeshTime.h"
 #include "OrderProof.h"
 #include "ViewEye.h"
 #include "vtkCamera.h"
@@ -23,12 +24,15 @@ class vtkProvenVisibilitySort::Internals
 {
 public:
   std::array<double, 4> Eye{ { 0.0, 0.0, 0.0, 1.0 } };
-  std::vector<vtkIdType> Order;
+  // The subclass' own, or, where cells had to be left out, the copy.
+  const std::vector<vtkIdType>* Order = nullptr;
+  std::vector<vtkIdType> Filtered;
   vtkIdType Next = 0;
   vtkNew<vtkIdTypeArray> Batch;
+  std::vector<vtkIdType> Reversed;
 
   // What the order was made for.
-  vtkMTimeType OrderedCells = 0;
+  MeshTime OrderedCells{};
   vtkMTimeType OrderedSort = 0;
   std::array<double, 4> OrderedEye{ { 0.0, 0.0, 0.0, 0.0 } };
   vtkDataSet* OrderedInput = nullptr;
@@ -39,7 +43,7 @@ public:
   bool HasComplex = false;
   bool HasImaginary = false;
   bool Reported = false;
-  vtkMTimeType BuiltCells = 0;
+  MeshTime BuiltCells{};
   vtkDataSet* BuiltInput = nullptr;
   bool BuiltConvexify = true;
 
@@ -50,33 +54,13 @@ public:
 
 namespace
 {
-// Points and cells alone: new scalars make no new order.
-vtkMTimeType GetCellsTime(vtkDataSet* input)
-{
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
-  if (!grid || !grid->GetPoints())
-  {
-    return input->GetMTime();
-  }
-  vtkMTimeType time = std::max(grid->GetPoints()->GetMTime(), grid->GetCells()->GetMTime());
-  for (vtkObject* part : { static_cast<vtkObject*>(grid->GetPoints()->GetData()),
-         static_cast<vtkObject*>(grid->GetCells()->GetConnectivityArray()) })
-  {
-    time = std::max(time, part->GetMTime());
-  }
-  return time;
-}
-
 // Cells that are never returned, wherever they stand in the input.
 void DropImaginary(vtkDataSet* input, std::vector<vtkIdType>& order)
 {
-  if (ImaginaryGrid::HasImaginaryCells(input))
-  {
-    auto* marks = vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray("Imaginary"));
-    order.erase(std::remove_if(order.begin(), order.end(),
-                  [marks](vtkIdType cell) { return marks->GetValue(cell) != 0; }),
-      order.end());
-  }
+  auto* marks = vtkUnsignedCharArray::SafeDownCast(input->GetCellData()->GetArray("Imaginary"));
+  order.erase(std::remove_if(order.begin(), order.end(),
+                [marks](vtkIdType cell) { return marks->GetValue(cell) != 0; }),
+    order.end());
 }
 
 // Largest share of the enclosure that rounding may cost.
@@ -100,7 +84,8 @@ void vtkProvenVisibilitySort::InitTraversal()
   if (!this->Input || !this->Camera)
   {
     vtkErrorMacro(<< (this->Input ? "No camera: call SetCamera." : "No input: call SetInput."));
-    internal.Order.clear();
+    internal.Order = nullptr;
+    internal.OrderedInput = nullptr;
     return;
   }
   if (!ViewEye::Find(this->Camera, this->InverseModelTransform, internal.Eye.data()))
@@ -108,13 +93,18 @@ void vtkProvenVisibilitySort::InitTraversal()
     vtkErrorMacro("The camera or the model transform is singular: there is no eye to sort for.");
     internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
   }
-  const vtkMTimeType cells = GetCellsTime(this->Input);
+  const MeshTime cells = MeshTimeOf(this->Input);
   const vtkMTimeType own = this->GetSettingsTime();
   if (internal.OrderedInput != this->Input || internal.OrderedCells != cells ||
       internal.OrderedSort != own || internal.OrderedEye != internal.Eye)
   {
-    this->SortCells(internal.Eye.data(), internal.Order);
-    DropImaginary(this->Input, internal.Order);
+    internal.Order = &this->SortCells(internal.Eye.data());
+    if (ImaginaryGrid::HasImaginaryCells(this->Input))
+    {
+      internal.Filtered = *internal.Order;
+      DropImaginary(this->Input, internal.Filtered);
+      internal.Order = &internal.Filtered;
+    }
     internal.Misordered = -1;
     internal.Groups = nullptr;
     internal.OrderedInput = this->Input;
@@ -146,21 +136,23 @@ void vtkProvenVisibilitySort::SetConvexify(bool convexify)
 vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
 {
   Internals& internal = *this->Internal;
-  const auto count = static_cast<vtkIdType>(internal.Order.size());
+  const vtkIdType count = internal.Order ? static_cast<vtkIdType>(internal.Order->size()) : 0;
   const vtkIdType size = std::min<vtkIdType>(this->MaxCellsReturned, count - internal.Next);
   if (size <= 0)
   {
     return nullptr;
   }
-  internal.Batch->SetNumberOfValues(size);
-  vtkIdType* ids = internal.Batch->GetPointer(0);
   if (this->Direction == BACK_TO_FRONT)
   {
-    std::copy_n(internal.Order.begin() + internal.Next, size, ids);
+    // A window on the order: nothing is copied. It is not for the receiver to write to.
+    internal.Batch->SetArray(
+      const_cast<vtkIdType*>(internal.Order->data()) + internal.Next, size, 1);
   }
   else
   {
-    std::copy_n(internal.Order.rbegin() + internal.Next, size, ids);
+    internal.Reversed.assign(
+      internal.Order->rbegin() + internal.Next, internal.Order->rbegin() + internal.Next + size);
+    internal.Batch->SetArray(internal.Reversed.data(), size, 1);
   }
   internal.Next += size;
   return internal.Batch;
@@ -170,7 +162,7 @@ vtkIdTypeArray* vtkProvenVisibilitySort::GetNextCells()
 void vtkProvenVisibilitySort::ForgetComplex()
 {
   Internals& internal = *this->Internal;
-  const vtkMTimeType cells = GetCellsTime(this->Input);
+  const MeshTime cells = MeshTimeOf(this->Input);
   if (internal.BuiltInput == this->Input && internal.BuiltCells == cells)
   {
     return;
@@ -287,10 +279,10 @@ vtkIdType vtkProvenVisibilitySort::GetNumberOfCycles()
 vtkIdType vtkProvenVisibilitySort::GetNumberOfMisorderedFaces()
 {
   Internals& internal = *this->Internal;
-  if (internal.Misordered < 0 && this->Input)
+  if (internal.Misordered < 0 && this->Input && internal.Order)
   {
     internal.Misordered =
-      OrderProof::CountMisordered(this->GetComplex(), internal.Order, internal.Eye.data());
+      OrderProof::CountMisordered(this->GetComplex(), *internal.Order, internal.Eye.data());
   }
   return internal.Misordered;
 }

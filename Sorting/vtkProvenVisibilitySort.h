@@ -80,10 +80,10 @@ protected:
 
   /**
    * All cells of the input from back to front for `eye` (a point, or with eye[3] = 0 a direction
-   * towards the eye; in the input's coordinates) into `order`, cells that are never returned
-   * included or not.
+   * towards the eye; in the input's coordinates), cells that are never returned included or not.
+   * What it returns stays as it is until the next call.
    */
-  virtual void SortCells(const double eye[4], std::vector<vtkIdType>& order) = 0;
+  virtual const std::vector<vtkIdType>& SortCells(const double eye[4]) = 0;
 
   /**
    * Groups of the last SortCells as lists of ids one after the other, and where each begins (and

@@ -28,4 +28,4 @@ if(CELLPROJECTION_WRAP_PYTHON)
 endif()
 find_package(VTK 9.1 REQUIRED
   COMPONENTS ${cellprojection_vtk_components} ${build_components}
-  OPTIONAL_COMPONENTS glad glew)
+  OPTIONAL_COMPONENTS glad glew IOExodus)

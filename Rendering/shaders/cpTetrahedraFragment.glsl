@@ -11,6 +11,7 @@ flat in int cell;
 //VTK::TransferFunction::Dec
 //VTK::Integral::Dec
 //VTK::Segment::Dec
+//VTK::Layer::Dec
 
 void main()
 {
@@ -23,6 +24,7 @@ void main()
   {
     discard;
   }
+  //VTK::Layer::Impl
   if (c.depth.y - c.depth.x < 1e-3 * abs(c.depth.x))
   {
     // Depths of a thin cell differ in their last digits: they are taken again from its own place.

@@ -6,6 +6,7 @@
 #include "Convexification.h"
 #include "OrderProof.h"
 #include "ViewEye.h"
+#include "vtkBSPXMPVOVisibilitySort.h"
 
 #include "vtkCamera.h"
 #include "vtkCellCenterDepthSort.h"
@@ -182,6 +183,8 @@ SortBenchmark::SortBenchmark()
     { "vtkPowerVisibilitySort", [] { return vtkSmartPointer<vtkPowerVisibilitySort>::New(); } },
     { "vtkMPVOVisibilitySort, plain", [=] { return makeMPVO(false); } },
     { "vtkMPVOVisibilitySort", [=] { return makeMPVO(true); } },
+    { "vtkBSPXMPVOVisibilitySort",
+      [] { return vtkSmartPointer<vtkBSPXMPVOVisibilitySort>::New(); } },
   };
 }
 

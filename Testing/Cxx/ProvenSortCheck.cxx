@@ -67,7 +67,16 @@ bool ProvenSortCheck::HoldsAt(
   RayOrder::Result rays;
   if (permutation)
   {
-    rays = this->Rays.Check(eye.Position, order, this->GroupsOf(sort), this->NumberOfRays);
+    const std::vector<int> groups = this->GroupsOf(sort);
+    rays = this->Rays.Check(eye.Position, order, groups, this->NumberOfRays);
+    if (cycles > 0)
+    {
+      const auto all = this->Rays.Check(eye.Position, order, {}, this->NumberOfRays);
+      const vtkIdType members = static_cast<vtkIdType>(
+        std::count_if(groups.begin(), groups.end(), [](int group) { return group >= 0; }));
+      this->MostCyclicCells = std::max(this->MostCyclicCells, members);
+      this->MostRaysLetOff = std::max(this->MostRaysLetOff, all.WrongRays - rays.WrongRays);
+    }
   }
   ++this->Eyes;
   this->ProvenEyes += proven ? 1 : 0;

@@ -39,6 +39,10 @@ public:
   int GetNumberOfEyes() const { return this->Eyes; }
   int GetNumberOfProvenEyes() const { return this->ProvenEyes; }
   int GetNumberOfCyclicEyes() const { return this->CyclicEyes; }
+  /// The most cells that were in groups for one eye, and the most rays that would have been wrong
+  /// had these not been let off.
+  vtkIdType GetMostCyclicCells() const { return this->MostCyclicCells; }
+  int GetMostRaysLetOff() const { return this->MostRaysLetOff; }
   const RayOrder& GetRays() const { return this->Rays; }
 
 private:
@@ -54,6 +58,8 @@ private:
   int Eyes = 0;
   int ProvenEyes = 0;
   int CyclicEyes = 0;
+  vtkIdType MostCyclicCells = 0;
+  int MostRaysLetOff = 0;
 };
 
 #endif

@@ -227,11 +227,36 @@ void RayOrder::AddSegments(
 }
 
 //------------------------------------------------------------------------------
+int RayOrder::CountOverlaps(const std::vector<Segment>& segments) const
+{
+  const double slack = Slack * this->Diagonal;
+  int overlaps = 0;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+  {
+    for (std::size_t j = i + 1; j < segments.size(); ++j)
+    {
+      const Segment& near = segments[i];
+      const Segment& far = segments[j];
+      const bool apart = near.End <= far.Begin + slack || far.End <= near.Begin + slack;
+      overlaps += apart || near.Cell == far.Cell ? 0 : 1;
+    }
+  }
+  return overlaps;
+}
+
+//------------------------------------------------------------------------------
 void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
   const std::vector<int>& groups, Result& result) const
 {
   const double slack = Slack * this->Diagonal;
   bool wrong = false;
+  ++result.Rays;
+  if (const int overlaps = this->CountOverlaps(segments))
+  {
+    result.OverlappingPairs += overlaps;
+    ++result.OverlappingRays;
+    return;
+  }
   for (std::size_t i = 0; i < segments.size(); ++i)
   {
     for (std::size_t j = i + 1; j < segments.size(); ++j)
@@ -244,9 +269,7 @@ void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<v
       }
       const bool exempt =
         !groups.empty() && groups[near.Cell] >= 0 && groups[near.Cell] == groups[far.Cell];
-      const bool overlap = near.End > far.Begin + slack;
-      result.OverlappingPairs += overlap ? 1 : 0;
-      if (exempt || overlap)
+      if (exempt)
       {
         continue;
       }
@@ -261,7 +284,6 @@ void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<v
       }
     }
   }
-  ++result.Rays;
   result.WrongRays += wrong ? 1 : 0;
 }
 

@@ -23,8 +23,10 @@ public:
     /// Neighbours along a ray, and those in the wrong order.
     long long Pairs = 0;
     long long WrongPairs = 0;
-    /// Pairs of cells whose segments overlap: no order of theirs is right, none is compared.
+    /// Pairs of cells whose segments overlap: no order of theirs is right, and nothing on a ray
+    /// that meets one is judged.
     long long OverlappingPairs = 0;
+    int OverlappingRays = 0;
     /// The first two cells found wrong: `Near` is in front, and does not come after `Far`.
     vtkIdType Near = -1;
     vtkIdType Far = -1;
@@ -56,6 +58,7 @@ private:
   Point RandomPointIn(int cell, unsigned int seed) const;
   bool Hit(const Ray& ray, const std::array<vtkIdType, 3>& triangle, double& depth) const;
   void AddSegments(const Ray& ray, int cell, bool fromEye, std::vector<Segment>& segments) const;
+  int CountOverlaps(const std::vector<Segment>& segments) const;
   void Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
     const std::vector<int>& groups, Result& result) const;
 

@@ -25,7 +25,9 @@ void TestMesh(TestChecks& checks, const SortMeshes::Entry& entry)
   const int failures = check.CountFailures(sort, SortTesting::Eyes(grid), demands);
   std::cout << entry.Name << ": " << grid->GetNumberOfCells() << " cells, "
             << check.GetNumberOfEyes() << " eyes, " << check.GetNumberOfProvenEyes() << " proven, "
-            << check.GetNumberOfCyclicEyes() << " cyclic, " << failures << " wrong\n";
+            << check.GetNumberOfCyclicEyes() << " cyclic (at most " << check.GetMostCyclicCells()
+            << " cells, " << check.GetMostRaysLetOff() << " rays let off), " << failures
+            << " wrong\n";
   checks.Check(failures == 0, entry.Name.c_str(), __LINE__, std::to_string(failures));
   checks.Check(observer->Count() == 0, entry.Name.c_str(), __LINE__,
     observer->Count() ? observer->Texts[0] : "");

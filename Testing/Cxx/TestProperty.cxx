@@ -43,8 +43,7 @@ void CheckColorFunctions(TestChecks& checks)
   color->AddRGBPoint(1e-8, 0.0, 0.0, 1.0);
   color->AddRGBPoint(1e-3, 0.0, 1.0, 0.0);
   color->AddRGBPoint(1.0, 1.0, 0.0, 0.0);
-  TestMeshes::SetField(
-    grid, [](const double* p) { return std::pow(10.0, -8.0 * (p[0] + 0.5)); });
+  TestMeshes::SetField(grid, [](const double* p) { return std::pow(10.0, -8.0 * (p[0] + 0.5)); });
   CheckScene(checks, scene, "eight decades");
   TestMeshes::SetField(grid, TestMeshes::Waves);
   color->SetScaleToLinear();

@@ -1,0 +1,18 @@
+#ifndef RealMeshes_h
+#define RealMeshes_h
+
+#include "vtkSmartPointer.h"
+
+#include <string>
+
+class vtkUnstructuredGrid;
+
+/// Meshes from the pinned data.
+namespace RealMeshes
+{
+/// bluntFin, comb, post (PLOT3D hexahedra), can, fire, diskOut; null where CELLPROJECTION_DATA does
+/// not have the files, or this VTK no reader. Says why.
+vtkSmartPointer<vtkUnstructuredGrid> Read(const std::string& name);
+}
+
+#endif
