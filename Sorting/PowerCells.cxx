@@ -34,6 +34,7 @@ void PowerCells::Initialize(vtkIdType numberOfCells, const double bounds[6])
   this->Scale = size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
   this->Lifts.resize(numberOfCells);
   this->Cospherical.resize(numberOfCells);
+  this->Keys.resize(numberOfCells);
 }
 
 //------------------------------------------------------------------------------
@@ -88,13 +89,14 @@ void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
     const double key = Evaluate(this->Lifts[cell], eye.X);
+    this->Keys[cell] = key;
     items[cell] = { RadixSort::KeyOf(key), static_cast<std::uint32_t>(cell) };
   }
 }
 
 //------------------------------------------------------------------------------
 // Writes the runs of equal keys that begin in begin .. end.
-void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order)
+void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const vtkIdType count = this->GetNumberOfCells();
@@ -113,19 +115,18 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkId
     }
     if (next - begin > 1)
     {
-      this->WriteRun(eye, begin, next, run, order);
+      this->WriteRun(begin, next, run, order);
     }
     begin = next;
   }
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::WriteRun(
-  const Eye& eye, vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order)
+void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const auto entryOf = [&](vtkIdType i)
-  { return std::make_pair(Evaluate(this->Lifts[items[i].Id], eye.X), vtkIdType(items[i].Id)); };
+  { return std::make_pair(this->Keys[items[i].Id], vtkIdType(items[i].Id)); };
   run.clear();
   for (vtkIdType i = begin; i < end; ++i)
   {
@@ -147,5 +148,5 @@ void PowerCells::SortBackToFront(const double point[4], std::vector<vtkIdType>& 
     0, count, Grain, [&](vtkIdType begin, vtkIdType end) { this->FillItems(eye, begin, end); });
   this->Sort.Sort();
   vtkSMPTools::For(0, count, Grain,
-    [&](vtkIdType begin, vtkIdType end) { this->WriteRuns(eye, begin, end, order.data()); });
+    [&](vtkIdType begin, vtkIdType end) { this->WriteRuns(begin, end, order.data()); });
 }
