@@ -34,6 +34,7 @@ void PowerCells::Initialize(vtkIdType numberOfCells, const double bounds[6])
   this->Scale = size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
   this->Lifts.resize(numberOfCells);
   this->Cospherical.resize(numberOfCells);
+  this->Keys.resize(numberOfCells);
 }
 
 //------------------------------------------------------------------------------
@@ -87,17 +88,19 @@ void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
   RadixSort::Item* items = this->Sort.GetItems();
   for (vtkIdType cell = begin; cell < end; ++cell)
   {
-    const auto key = static_cast<float>(Evaluate(this->Lifts[cell], eye.X));
+    const double key = Evaluate(this->Lifts[cell], eye.X);
+    this->Keys[cell] = key;
     items[cell] = { RadixSort::KeyOf(key), static_cast<std::uint32_t>(cell) };
   }
 }
 
 //------------------------------------------------------------------------------
 // Writes the runs of equal keys that begin in begin .. end.
-void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order)
+void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const vtkIdType count = this->GetNumberOfCells();
+  Run run;
   while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
   {
     ++begin;
@@ -112,20 +115,22 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkId
     }
     if (next - begin > 1)
     {
-      this->WriteRun(eye, begin, next, order);
+      this->WriteRun(begin, next, run, order);
     }
     begin = next;
   }
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::WriteRun(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order)
+void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order)
 {
   const RadixSort::Item* items = this->Sort.GetItems();
-  std::vector<std::pair<double, vtkIdType>> run;
+  const auto entryOf = [&](vtkIdType i)
+  { return std::make_pair(this->Keys[items[i].Id], vtkIdType(items[i].Id)); };
+  run.clear();
   for (vtkIdType i = begin; i < end; ++i)
   {
-    run.emplace_back(Evaluate(this->Lifts[items[i].Id], eye.X), items[i].Id);
+    run.push_back(entryOf(i));
   }
   std::sort(run.begin(), run.end());
   std::transform(
@@ -143,5 +148,5 @@ void PowerCells::SortBackToFront(const double point[4], std::vector<vtkIdType>& 
     0, count, Grain, [&](vtkIdType begin, vtkIdType end) { this->FillItems(eye, begin, end); });
   this->Sort.Sort();
   vtkSMPTools::For(0, count, Grain,
-    [&](vtkIdType begin, vtkIdType end) { this->WriteRuns(eye, begin, end, order.data()); });
+    [&](vtkIdType begin, vtkIdType end) { this->WriteRuns(begin, end, order.data()); });
 }

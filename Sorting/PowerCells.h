@@ -24,6 +24,7 @@
 
 #include "vtkType.h"
 
+#include <utility>
 #include <vector>
 
 class PowerCells
@@ -62,16 +63,19 @@ private:
   {
     double X[4];
   };
+  using Run = std::vector<std::pair<double, vtkIdType>>;
   Eye Transform(const double eye[4]) const;
   void FillItems(const Eye& eye, vtkIdType begin, vtkIdType end);
-  void WriteRuns(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order);
+  void WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order);
   /** Items of one 32-bit key, by their keys in double. */
-  void WriteRun(const Eye& eye, vtkIdType begin, vtkIdType end, vtkIdType* order);
+  void WriteRun(vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order);
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Scale = 1.0;
   std::vector<Lift> Lifts;
   std::vector<unsigned char> Cospherical;
+  /** Of the last sort: ties are decided from here, not by evaluating the lifts again. */
+  std::vector<double> Keys;
   RadixSort Sort;
 };
 

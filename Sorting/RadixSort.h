@@ -1,19 +1,20 @@
 /**
  * Stable parallel sort of 32-bit keys that carry 32-bit ids, smallest key first.
  *
- * Method: least significant digit first, three digits of 11, 11 and 10 bits. Each thread counts and
- * scatters one contiguous share of the items, so that the result does not depend on the number of
- * threads. Digits that all keys share are skipped.
+ * Method: least significant digit first, four digits of 8 bits (three of 11 scatter to more
+ * places than the cache holds, and are a quarter slower). The items are counted and scattered in
+ * contiguous shares, so that the result does not depend on the number of threads. Digits that all
+ * keys share are skipped.
  *
  * Linear in the number of items; nothing is allocated while the number does not grow.
  */
 #ifndef RadixSort_h
 #define RadixSort_h
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
-#include <cstring>
-#include <limits>
 #include <vector>
 
 class RadixSort
@@ -34,19 +35,21 @@ public:
 
   void Sort();
 
-  /** An integer that compares as the number does; NaN counts as the smallest number, -0 as 0. */
-  static std::uint32_t KeyOf(float value)
+  /** An integer that compares as the number does; close numbers share one. Steps of 2^-31 about 0
+   *  that grow with the square of the number: finer than a float's from 1e-3 to 2^8, which is
+   *  where most keys lie when coordinates are about 1. NaN counts as the largest number. */
+  static std::uint32_t KeyOf(double value)
   {
-    const float number = value == value ? value + 0.0f : -std::numeric_limits<float>::infinity();
-    std::uint32_t bits;
-    std::memcpy(&bits, &number, sizeof(bits));
-    return bits >> 31 ? ~bits : bits | 0x80000000u;
+    // Every step rounds monotonically; value / (1 + |value|) would not.
+    const double share = 1.0 / (1.0 + std::abs(value));
+    const double place = 2147483648.0 * (value < 0.0 ? share : 2.0 - share);
+    return static_cast<std::uint32_t>(std::min(4294967295.0, place));
   }
 
 private:
   struct Digit;
   void Count(int share, int shares, const Digit& digit);
-  bool Accumulate(int shares, const Digit& digit);
+  bool Accumulate(int shares);
   void Scatter(int share, int shares, const Digit& digit);
 
   std::vector<Item> Items;

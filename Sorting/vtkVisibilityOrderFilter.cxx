@@ -150,20 +150,20 @@ int vtkVisibilityOrderFilter::RequestData(
   output->ShallowCopy(input);
   const vtkIdType cells = input->GetNumberOfCells();
   auto ranks = NewCellArray("VisibilityOrder", cells);
-  auto groups = NewCellArray("CyclicGroup", cells);
+  VisibilitySortChoice& choice = this->Internal->Choice;
   if (cells > 0 && !IsAborted(this))
   {
-    VisibilitySortChoice& choice = this->Internal->Choice;
     FillRanks(choice.Choose(this->SortMethod, input, camera, this->Convexify), ranks);
     this->Internal->HasOrder = true;
-    if (this->SortMethod == MPVOC)
-    {
-      FillGroups(choice.GetProvenSort()->GetCyclicGroups(), groups);
-    }
   }
   output->GetCellData()->AddArray(ranks);
   if (this->SortMethod == MPVOC)
   {
+    auto groups = NewCellArray("CyclicGroup", cells);
+    if (this->Internal->HasOrder)
+    {
+      FillGroups(choice.GetProvenSort()->GetCyclicGroups(), groups);
+    }
     output->GetCellData()->AddArray(groups);
   }
   this->UpdateProgress(1.0);

@@ -24,7 +24,8 @@
  * - CellCenter: vtkCellCenterDepthSort, as VTK itself sorts; nothing is proven.
  *
  * What is built from the mesh is kept between updates until points or cells change; a new eye costs
- * a sort alone. GetMTime follows the camera. Empty input gives an empty array.
+ * a sort alone. GetMTime follows the camera. Empty input gives an empty array; an aborted update
+ * gives ranks of -1.
  *
  * Errors: no input connection (as any filter); a direction of length 0 without a camera.
  */

@@ -1,4 +1,4 @@
-// The radix sort is std::stable_sort on keys of every kind, and keys compare as their floats do.
+// The radix sort is std::stable_sort on keys of every kind, and keys compare as their numbers do.
 
 #include "RadixSort.h"
 #include "TestScene.h"
@@ -50,15 +50,21 @@ void CheckOrder(TestChecks& checks)
 
 void CheckKeys(TestChecks& checks)
 {
-  constexpr float infinity = std::numeric_limits<float>::infinity();
-  const float ascending[] = { -infinity, -3e38f, -1.0f, -1e-30f, -1e-42f, 0.0f, 1e-42f, 1e-30f,
-    1.0f, std::nextafter(1.0f, 2.0f), 3e38f, infinity };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  const double ascending[] = { -infinity, -1e6, -1e3, -1.0, -1e-9, 0.0, 1e-9, 0.5, 1.0, 1.0 + 1e-8,
+    1e3, 1e6, infinity };
   for (std::size_t i = 1; i < std::size(ascending); ++i)
   {
     CHECK(RadixSort::KeyOf(ascending[i - 1]) < RadixSort::KeyOf(ascending[i]));
   }
-  CHECK(RadixSort::KeyOf(-0.0f) == RadixSort::KeyOf(0.0f));
-  CHECK(RadixSort::KeyOf(std::nanf("")) == RadixSort::KeyOf(-infinity));
+  CHECK(RadixSort::KeyOf(-0.0) == RadixSort::KeyOf(0.0));
+  CHECK(RadixSort::KeyOf(std::nan("")) == RadixSort::KeyOf(infinity));
+  std::mt19937_64 random(9);
+  for (int run = 0; run < 200000; ++run)
+  {
+    const double value = std::ldexp(static_cast<double>(random()), run % 120 - 120) - 1.0;
+    CHECK(RadixSort::KeyOf(value) <= RadixSort::KeyOf(std::nextafter(value, infinity)));
+  }
 }
 
 // Nothing is allocated for a second array of the same size: the two buffers only change places.
@@ -85,7 +91,7 @@ void PrintSpeed()
     std::mt19937 random(run);
     for (std::size_t i = 0; i < count; ++i)
     {
-      const float value = std::ldexp(static_cast<float>(random()), -30) - 2.0f;
+      const double value = std::ldexp(static_cast<double>(random()), -30) - 2.0;
       sort.GetItems()[i] = { RadixSort::KeyOf(value), static_cast<std::uint32_t>(i) };
     }
     const auto start = std::chrono::steady_clock::now();
