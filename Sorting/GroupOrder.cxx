@@ -71,14 +71,16 @@ std::vector<std::vector<int>> Find(int count, const Relations& relations)
   const std::vector<std::vector<int>> before = ListTargets(count, relations, false);
   std::vector<std::vector<int>> groups;
   // Walked against the relations, a circle is given out after all that comes before it.
-  StrongComponents components(count);
+  StrongComponents components;
+  components.Reset(count);
   const auto getEdge = [&](int item, int edge)
   { return edge < static_cast<int>(before[item].size()) ? before[item][edge] : -2; };
   for (int item = 0; item < count; ++item)
   {
     if (!components.HasSeen(item))
     {
-      components.Walk(item, getEdge,
+      components.Walk(
+        item, getEdge, [](int) { return false; },
         [&](std::vector<int>& circle)
         {
           SortCircle(circle, after);

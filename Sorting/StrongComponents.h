@@ -2,7 +2,8 @@
  * The strongly connected components of a directed graph, in linear time.
  *
  * Method: Tarjan, Depth-First Search and Linear Graph Algorithms, 1972, without recursion. A
- * component is given out after all that its edges lead to.
+ * component is given out after all that its edges lead to. Whoever takes one may take nodes out of
+ * the graph: they belong to no component then.
  */
 #ifndef StrongComponents_h
 #define StrongComponents_h
@@ -13,25 +14,38 @@
 class StrongComponents
 {
 public:
-  explicit StrongComponents(int numberOfNodes)
-    : Index(static_cast<size_t>(numberOfNodes), Unseen)
-    , Low(static_cast<size_t>(numberOfNodes), 0)
+  /** Forgets what was seen before. */
+  void Reset(int numberOfNodes)
   {
+    for (const int node : this->Seen)
+    {
+      this->Index[node] = Unseen;
+    }
+    this->Seen.clear();
+    this->Index.resize(static_cast<size_t>(numberOfNodes), Unseen);
+    this->Low.resize(static_cast<size_t>(numberOfNodes), 0);
+    this->Next = 0;
   }
 
   /** Walks from `root` over all nodes not seen before. `getEdge(node, k)`: the target of edge k, -1
-   *  for one that does not count, -2 after the last. `take(component)`: gets the nodes. */
-  template <typename GetEdge, typename Take>
-  void Walk(int root, const GetEdge& getEdge, const Take& take)
+   *  for one that does not count, -2 after the last. `isGone(node)`: whether it was taken out of
+   *  the graph. `take(component)`: gets the nodes. */
+  template <typename GetEdge, typename IsGone, typename Take>
+  void Walk(int root, const GetEdge& getEdge, const IsGone& isGone, const Take& take)
   {
     this->Enter(root);
     while (!this->Path.empty())
     {
       const int node = this->Path.back().Node;
-      const int target = this->Index[node] == Done ? -2 : getEdge(node, this->Path.back().Edge);
+      if (isGone(node))
+      {
+        this->Path.pop_back();
+        continue;
+      }
+      const int target = getEdge(node, this->Path.back().Edge);
       if (target == -2)
       {
-        this->Leave(node, take);
+        this->Leave(node, isGone, take);
         continue;
       }
       ++this->Path.back().Edge;
@@ -44,6 +58,7 @@ public:
         this->Low[node] = std::min(this->Low[node], this->Index[target]);
       }
     }
+    this->Open.clear();
   }
 
   bool HasSeen(int node) const { return this->Index[node] != Unseen; }
@@ -61,12 +76,13 @@ private:
   void Enter(int node)
   {
     this->Index[node] = this->Low[node] = this->Next++;
+    this->Seen.push_back(node);
     this->Open.push_back(node);
     this->Path.push_back({ node, 0 });
   }
 
-  template <typename Take>
-  void Leave(int node, const Take& take)
+  template <typename IsGone, typename Take>
+  void Leave(int node, const IsGone& isGone, const Take& take)
   {
     this->Path.pop_back();
     if (!this->Path.empty())
@@ -85,11 +101,13 @@ private:
     {
       this->Index[member] = Done;
     }
+    component.erase(std::remove_if(component.begin(), component.end(), isGone), component.end());
     take(component);
   }
 
   std::vector<int> Index;
   std::vector<int> Low;
+  std::vector<int> Seen;
   std::vector<int> Open;
   std::vector<Step> Path;
   int Next = 0;

@@ -3,8 +3,8 @@
 #include "Convexification.h"
 #include "GapRelations.h"
 #include "GroupOrder.h"
+#include "ImaginaryCenters.h"
 #include "MortonOrder.h"
-#include "StrongComponents.h"
 #include "vtkBoundingBox.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
@@ -18,36 +18,12 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
 {
   this->Points = &complex.Points;
   this->NumberOfMeshCells = complex.NumberOfCells;
-  this->TakeCenters(complex, imaginary);
+  this->Centers = ImaginaryCenters::Append(complex, imaginary);
   this->NumberCells();
   this->TakeContacts(complex, imaginary);
   this->LinkCells();
   this->Signs.Build(complex.Points, this->Contacts, this->Center, this->Size);
   this->Sorted = false;
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::TakeCenters(const CellComplex& complex, const ImaginaryCells* imaginary)
-{
-  this->Centers = complex.Centers;
-  const size_t meshPoints = complex.Points.size() / 3;
-  for (int cell = 0; imaginary && cell < imaginary->GetNumberOfCells(); ++cell)
-  {
-    const int begin = imaginary->FaceOffsets[imaginary->CellOffsets[cell]];
-    const int end = imaginary->FaceOffsets[imaginary->CellOffsets[cell + 1]];
-    double center[3] = { 0.0, 0.0, 0.0 };
-    for (int i = begin; i < end; ++i)
-    {
-      const size_t point = static_cast<size_t>(imaginary->FaceCorners[i]);
-      const double* x = point < meshPoints ? &complex.Points[3 * point]
-                                           : &imaginary->Points[3 * (point - meshPoints)];
-      for (int k = 0; k < 3; ++k)
-      {
-        center[k] += x[k] / (end - begin);
-      }
-    }
-    this->Centers.insert(this->Centers.end(), center, center + 3);
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -143,8 +119,10 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
   this->GroupOffsets.assign(1, 0);
   this->FindNearer();
   this->FindSources(eye, centersFirst);
+  this->OwnOrder.resize(static_cast<size_t>(this->NumberOfMeshCells));
+  this->NumberOrdered = 0;
   this->SortTopologically();
-  if (static_cast<int>(this->OwnOrder.size()) < this->NumberOfMeshCells)
+  if (this->NumberOrdered < this->NumberOfMeshCells)
   {
     this->SortGroups(eye);
   }
@@ -224,11 +202,10 @@ double VisibilityGraph::GetDistance(int cell, const double eye[4]) const
 void VisibilityGraph::SortTopologically()
 {
   // Plain pointers: this loop is most of the time that a frame takes.
-  this->OwnOrder.resize(static_cast<size_t>(this->NumberOfMeshCells));
   const size_t sources = this->Stack.size();
   this->Stack.resize(this->InputId.size() + 1);
   int* top = this->Stack.data() + sources;
-  int* ordered = this->OwnOrder.data();
+  int* ordered = this->OwnOrder.data() + this->NumberOrdered;
   Cell* cells = this->Cells.data();
   while (top != this->Stack.data())
   {
@@ -253,7 +230,8 @@ void VisibilityGraph::SortTopologically()
       }
     }
   }
-  this->OwnOrder.resize(ordered - this->OwnOrder.data());
+  this->Stack.clear();
+  this->NumberOrdered = static_cast<int>(ordered - this->OwnOrder.data());
 }
 
 //------------------------------------------------------------------------------
@@ -295,7 +273,7 @@ void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
   {
     for (const int place : circle)
     {
-      this->OwnOrder.push_back(group[place]);
+      this->OwnOrder[this->NumberOrdered++] = group[place];
       if (circle.size() > 1)
       {
         this->GroupCells.push_back(this->InputId[group[place]]);
@@ -354,9 +332,9 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
 //------------------------------------------------------------------------------
 void VisibilityGraph::SortGroups(const double eye[4])
 {
-  // What is left waits for itself. Walked from near to far: then a component is given out after all
-  // that lie behind it.
-  StrongComponents components(static_cast<int>(this->InputId.size()));
+  // What is left waits for a circle. Walked from near to far, the first circle found has nothing
+  // but placed cells behind it; once it is placed the sort goes on, and most of the rest with it.
+  this->Components.Reset(static_cast<int>(this->InputId.size()));
   const auto getEdge = [&](int cell, int edge)
   {
     const int link = this->LinkOffsets[cell] + edge;
@@ -369,10 +347,40 @@ void VisibilityGraph::SortGroups(const double eye[4])
   };
   for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)
   {
-    if (this->IsWaiting(cell) && !components.HasSeen(cell))
+    if (this->IsWaiting(cell) && !this->Components.HasSeen(cell))
     {
-      components.Walk(
-        cell, getEdge, [&](std::vector<int>& group) { this->AppendGroup(group, eye); });
+      this->Components.Walk(
+        cell, getEdge, [this](int placed) { return !this->IsWaiting(placed); },
+        [&](std::vector<int>& group)
+        {
+          this->AppendGroup(group, eye);
+          this->Release(group);
+          this->SortTopologically();
+        });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void VisibilityGraph::Release(const std::vector<int>& group)
+{
+  for (const int cell : group)
+  {
+    this->Cells[cell].State %= WaitingUnit;
+  }
+  for (const int cell : group)
+  {
+    for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
+    {
+      const int neighbor = this->Links[link].Neighbor;
+      if (this->CompareAcross(link) > 0 && this->IsWaiting(neighbor))
+      {
+        this->Cells[neighbor].State -= WaitingUnit;
+        if (!this->IsWaiting(neighbor))
+        {
+          this->Stack.push_back(neighbor);
+        }
+      }
     }
   }
 }

@@ -16,6 +16,7 @@
 
 #include "CellComplex.h"
 #include "ContactSigns.h"
+#include "StrongComponents.h"
 #include "vtkType.h"
 
 #include <unordered_map>
@@ -64,7 +65,6 @@ private:
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
 
-  void TakeCenters(const CellComplex& complex, const ImaginaryCells* imaginary);
   void NumberCells();
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
@@ -75,6 +75,7 @@ private:
   void FindSources(const double eye[4], bool centersFirst);
   void SortTopologically();
   void SortGroups(const double eye[4]);
+  void Release(const std::vector<int>& group);
   void AppendGroup(std::vector<int>& group, const double eye[4]);
   std::vector<std::pair<int, int>> FindRelations(
     const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const;
@@ -110,6 +111,8 @@ private:
   std::vector<int> LongLists;
   std::vector<int> Stack;
   std::vector<int> OwnOrder;
+  int NumberOrdered = 0;
+  StrongComponents Components;
   bool Sorted = false;
   bool SortedByCenters = false;
 
