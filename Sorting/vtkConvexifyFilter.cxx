@@ -5,6 +5,7 @@
 #include "ImaginaryGrid.h"
 #include "VTKVersions.h"
 
+#include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTimerLog.h"
@@ -35,6 +36,11 @@ int vtkConvexifyFilter::RequestData(
   CellComplexReader::Read(input, complex);
   const ConvexificationResult result = this->Convexify(complex);
   ImaginaryGrid::Append(input, result.Cells, output);
+  if (result.VolumeError > LargestVolumeError)
+  {
+    // Without them a sort finds out by itself that nothing can be proven.
+    output->GetFieldData()->RemoveArray("ImaginaryContacts");
+  }
   this->Report(complex, result);
   this->Seconds = vtkTimerLog::GetUniversalTime() - start;
   return 1;

@@ -40,6 +40,8 @@ public:
   CellComplex Complex;
   ImaginaryCells Imaginary;
   bool IsFilled = false;
+  // What the imaginary cells miss of the hull, as a share of it.
+  double VolumeError = 0.0;
   bool HasComplex = false;
   bool HasImaginary = false;
   bool Reported = false;
@@ -201,6 +203,7 @@ const ImaginaryCells& vtkProvenVisibilitySort::GetImaginaryCells()
   internal.HasImaginary = true;
   internal.BuiltConvexify = this->Convexify;
   internal.IsFilled = false;
+  internal.VolumeError = 0.0;
   internal.Imaginary = ImaginaryCells();
   this->ComplexTime.Modified();
   if (ImaginaryGrid::Take(this->Input, internal.Complex, internal.Imaginary))
@@ -211,6 +214,7 @@ const ImaginaryCells& vtkProvenVisibilitySort::GetImaginaryCells()
   {
     ConvexificationResult result =
       Convexification::Run(internal.Complex, ConvexificationSettings());
+    internal.VolumeError = result.VolumeError;
     internal.IsFilled = result.VolumeError <= LargestVolumeError;
     internal.Imaginary = std::move(result.Cells);
   }
@@ -223,13 +227,16 @@ void vtkProvenVisibilitySort::ReportComplex()
 {
   const CellComplex& complex = this->Internal->Complex;
   if (!this->Internal->Reported &&
-      (complex.NumberOfNonManifoldFaces > 0 || complex.NumberOfOverlappingFaces > 0))
+      (complex.NumberOfNonManifoldFaces > 0 || complex.NumberOfOverlappingFaces > 0 ||
+        this->Internal->VolumeError > LargestVolumeError))
   {
     vtkWarningMacro(
       "The cells are no complex: "
       << complex.NumberOfNonManifoldFaces << " faces are shared by more than two cells, "
-      << complex.NumberOfOverlappingFaces
-      << " by cells on the same side. They are sorted, but their order cannot be proven.");
+      << complex.NumberOfOverlappingFaces << " by cells on the same side, and "
+      << 100.0 * this->Internal->VolumeError
+      << " % of the convex hull cannot be filled about them. They are sorted, but their order "
+         "cannot be proven.");
   }
   this->Internal->Reported = true;
 }

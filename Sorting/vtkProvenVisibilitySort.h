@@ -2,11 +2,12 @@
  * @class   vtkProvenVisibilitySort
  * @brief   what our visibility sorts share: the eye, the batches, and the proof of the order
  *
- * Input: any vtkDataSet of convex cells, given by SetInput; cells of dimension 0 to 2 and cells
- * whose `Imaginary` array says 1 are never returned. GetNextCells() returns every other cell's id
- * once, in batches of MaxCellsReturned, farthest first (or nearest first, by Direction). What is
- * built from the cells is kept until they change, the order until the eye or the model transform
- * does.
+ * Input: any vtkDataSet of convex cells, given by SetInput. GetNextCells() returns every cell's id
+ * once, in batches of MaxCellsReturned, farthest first (or nearest first, by Direction); only cells
+ * whose `Imaginary` array says 1 are never returned. Cells of dimension 0 to 2, and cells that are
+ * not linear, come in no particular place. A batch is a window on the order: it is not to be
+ * written to. What is built from the cells is kept until they change, the order until the eye or
+ * the model transform does.
  *
  * The eye is the camera's centre of projection, sheared and stereo views included; in parallel
  * projection it is a direction.

@@ -10,12 +10,21 @@
 
 namespace
 {
-void TestMesh(TestChecks& checks, const std::string& name, bool named)
+/// What gives a mesh away: nothing, what cannot be filled about it, its faces.
+enum class Sign
+{
+  None,
+  Fill,
+  Faces
+};
+
+void TestMesh(TestChecks& checks, const std::string& name, Sign sign)
 {
   auto grid = SortMeshes::Make(name);
   ProvenSortCheck check(name, grid);
   for (const bool convexify : { true, false })
   {
+    const bool named = sign == Sign::Faces || (sign == Sign::Fill && convexify);
     vtkNew<vtkMPVOVisibilitySort> sort;
     sort->SetConvexify(convexify);
     vtkNew<MessageObserver> observer;
@@ -38,7 +47,7 @@ void TestMesh(TestChecks& checks, const std::string& name, bool named)
 // A hole is filled and winding is not trusted: these two are no fault.
 void TestNoFault(TestChecks& checks, const std::string& name)
 {
-  TestMesh(checks, name, false);
+  TestMesh(checks, name, Sign::None);
   auto grid = SortMeshes::Make(name);
   vtkNew<vtkMPVOVisibilitySort> sort;
   ProvenSortCheck check(name, grid);
@@ -79,11 +88,11 @@ void TestLeast(TestChecks& checks)
 int TestSortBadInput(int, char*[])
 {
   TestChecks checks;
-  TestMesh(checks, "threeOnOneFace", true);
-  TestMesh(checks, "duplicates", true);
+  TestMesh(checks, "threeOnOneFace", Sign::Faces);
+  TestMesh(checks, "duplicates", Sign::Faces);
   // No face tells of these two: what is said is up to the fill, but nothing wrong is proven.
-  TestMesh(checks, "overlapping", false);
-  TestMesh(checks, "tJunctions", false);
+  TestMesh(checks, "overlapping", Sign::Fill);
+  TestMesh(checks, "tJunctions", Sign::None);
   TestNoFault(checks, "missingCell");
   TestNoFault(checks, "wrongWinding");
   TestLeast(checks);
