@@ -25,10 +25,12 @@ for target in targets:
 for line in "".join(code("sh")).splitlines():
     assert re.match(r"make [a-z-]+|git clone |cd |cmake |export PYTHONPATH", line), line
 
-assert len(code("python")) == 1 and len(code("cpp")) == 1
+# The second piece of Python goes on from the first.
+assert len(code("python")) == 2 and len(code("cpp")) == 1
 with tempfile.TemporaryDirectory() as folder:
     shutil.copy(ROOT / "Testing" / "Data" / "cubes.vtu", pathlib.Path(folder) / "mesh.vtu")
-    subprocess.run([sys.executable, "-c", code("python")[0]], cwd=folder, env=os.environ, check=True)
+    script = "\n".join(code("python")) + "\nassert rank.GetNumberOfTuples() == reader.GetOutput().GetNumberOfCells()\n"
+    subprocess.run([sys.executable, "-c", script], cwd=folder, env=os.environ, check=True)
     assert (pathlib.Path(folder) / "picture.png").stat().st_size > 5000
 
 # The C++ lines are those of the example, which InstallAndConsume builds and runs.
