@@ -1,10 +1,13 @@
 #include "CellComplexBuilder.h"
 
 #include "ExactOrientation.h"
+#include "vtkBoundingBox.h"
+#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <atomic>
+#include <cmath>
 #include <memory>
 #include <tuple>
 
@@ -21,6 +24,35 @@ bool HasArea(const double* a, const double* b, const double* c)
   const double axes[3][3] = { { 1, 0, 0 }, { 0, 1, 0 }, { 0, 0, 1 } };
   return std::any_of(axes, axes + 3,
     [&](const double(&axis)[3]) { return ExactOrientation::SideOfDirection(a, b, c, axis) != 0; });
+}
+
+// Share of the mesh's diagonal by which rounding warps a face.
+constexpr double PlanarTolerance = 1e-12;
+
+double FindSize(const std::vector<double>& points)
+{
+  vtkBoundingBox box;
+  for (size_t i = 0; i < points.size(); i += 3)
+  {
+    box.AddPoint(points[i], points[i + 1], points[i + 2]);
+  }
+  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
+}
+
+bool IsInPlane(const double* points, const int triangle[3], int point, double tolerance)
+{
+  const double *a = points + 3LL * triangle[0], *b = points + 3LL * triangle[1],
+               *c = points + 3LL * triangle[2], *p = points + 3LL * point;
+  if (ExactOrientation::SideOfPoint(a, b, c, p) == 0)
+  {
+    return true;
+  }
+  double u[3], v[3], w[3], normal[3];
+  vtkMath::Subtract(b, a, u);
+  vtkMath::Subtract(c, a, v);
+  vtkMath::Subtract(p, a, w);
+  vtkMath::Cross(u, v, normal);
+  return std::abs(vtkMath::Dot(normal, w)) <= tolerance * vtkMath::Norm(normal);
 }
 }
 
@@ -236,6 +268,7 @@ void CellComplexBuilder::DropCoplanarContacts()
   // for they have the smallest id and the cells in common.
   std::vector<CellComplex::Contact>& contacts = this->Complex.Contacts;
   const double* points = this->Complex.Points.data();
+  const double tolerance = PlanarTolerance * FindSize(this->Complex.Centers);
   const auto isSaidBefore = [&](int at)
   {
     const CellComplex::Contact& c = contacts[at];
@@ -247,12 +280,7 @@ void CellComplexBuilder::DropCoplanarContacts()
           HasArea(points + 3LL * other.Points[0], points + 3LL * other.Points[1],
             points + 3LL * other.Points[2]) &&
           std::all_of(c.Points, c.Points + 3,
-            [&](int p)
-            {
-              return ExactOrientation::SideOfPoint(points + 3LL * other.Points[0],
-                       points + 3LL * other.Points[1], points + 3LL * other.Points[2],
-                       points + 3LL * p) == 0;
-            }))
+            [&](int p) { return IsInPlane(points, other.Points, p, tolerance); }))
       {
         return true;
       }

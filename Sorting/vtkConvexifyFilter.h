@@ -22,9 +22,9 @@
  * than 1e-12 of the mesh's diagonal are taken to lie in it. The same input gives the same output.
  *
  * An input that carries imaginary cells already is passed on as it is. Empty gives empty; an
- * aborted update passes the input on without imaginary cells. Warning: a boundary that runs through
- * itself (overlapping cells, T-junctions); then the cells do not fill the enclosure, and the order
- * is not proven.
+ * aborted update gives no imaginary cells (and from VTK 9.3 on no cells at all). Warning: a
+ * boundary that runs through itself (overlapping cells, T-junctions); then the cells do not fill
+ * the enclosure, and the order is not proven.
  *
  * Not guaranteed: the fewest cells possible (the best cuts are a hard problem; the paper's choice
  * among NumberOfCandidateCuts is made).

@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 
 /// What the sort keeps from traversal to traversal.
 class vtkProvenVisibilitySort::Internals
@@ -45,6 +46,7 @@ public:
   bool HasComplex = false;
   bool HasImaginary = false;
   bool Reported = false;
+  std::string LastFailure;
   MeshTime BuiltCells{};
   vtkDataSet* BuiltInput = nullptr;
   bool BuiltConvexify = true;
@@ -85,14 +87,14 @@ void vtkProvenVisibilitySort::InitTraversal()
   internal.Next = 0;
   if (!this->Input || !this->Camera)
   {
-    vtkErrorMacro(<< (this->Input ? "No camera: call SetCamera." : "No input: call SetInput."));
+    this->FailOnce(this->Input ? "No camera: call SetCamera." : "No input: call SetInput.");
     internal.Order = nullptr;
     internal.OrderedInput = nullptr;
     return;
   }
   if (!ViewEye::Find(this->Camera, this->InverseModelTransform, internal.Eye.data()))
   {
-    vtkErrorMacro("The camera or the model transform is singular: there is no eye to sort for.");
+    this->FailOnce("The camera or the model transform is singular: there is no eye to sort for.");
     internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
   }
   const MeshTime cells = MeshTimeOf(this->Input);
@@ -114,6 +116,16 @@ void vtkProvenVisibilitySort::InitTraversal()
     internal.OrderedSort = own;
     internal.OrderedEye = internal.Eye;
   }
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::FailOnce(const std::string& text)
+{
+  if (this->Internal->LastFailure != text)
+  {
+    vtkErrorMacro(<< text);
+  }
+  this->Internal->LastFailure = text;
 }
 
 //------------------------------------------------------------------------------

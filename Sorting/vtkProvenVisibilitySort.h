@@ -17,6 +17,9 @@
  * can satisfy; `IsOrderProven()` says whether every cell is in its place: a convex (or convexified)
  * complex, no cycle, no misordered contact. Each is computed when it is asked for, and only then.
  *
+ * Errors, each once: no input, no camera, a camera or transform without an eye. Warning, once per
+ * mesh: cells that are no complex, with their counts.
+ *
  * Not guaranteed: an order that is not proven is still a permutation, and nothing more.
  */
 
@@ -28,6 +31,7 @@
 #include "vtkVisibilitySort.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for messages
 #include <vector> // for std::vector
 
 class vtkCellArray;
@@ -130,6 +134,7 @@ private:
   vtkMTimeType GetSettingsTime();
   void ForgetComplex();
   void ReportComplex();
+  void FailOnce(const std::string& text);
 
   bool Convexify = true;
 
