@@ -97,6 +97,10 @@ void vtkProvenVisibilitySort::InitTraversal()
     this->FailOnce("The camera or the model transform is singular: there is no eye to sort for.");
     internal.Eye = { { 0.0, 0.0, 1.0, 0.0 } };
   }
+  else
+  {
+    this->Internal->LastFailure.clear();
+  }
   const MeshTime cells = MeshTimeOf(this->Input);
   const vtkMTimeType own = this->GetSettingsTime();
   if (internal.OrderedInput != this->Input || internal.OrderedCells != cells ||
