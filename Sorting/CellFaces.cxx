@@ -1,23 +1,13 @@
 #include "CellFaces.h"
 
 #include "ExactOrientation.h"
-#include "vtkMath.h"
+#include "TetrahedralSplit.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace
 {
-// The volume of a tetrahedron but for a factor, rounded.
-double Height(const double* a, const double* b, const double* c, const double* p)
-{
-  double u[3], v[3], w[3];
-  vtkMath::Subtract(b, a, u);
-  vtkMath::Subtract(c, a, v);
-  vtkMath::Subtract(p, a, w);
-  return vtkMath::Determinant3x3(u, v, w);
-}
-
 // The polygon from its smallest id on, without ids that repeat.
 void Tidy(std::vector<int>& face)
 {
@@ -84,7 +74,7 @@ int CellFaces::FindSide(
   {
     if (std::find(face.begin(), face.end(), point) == face.end())
     {
-      const double height = std::abs(Height(a, b, c, this->At(point)));
+      const double height = std::abs(TetrahedralSplit::SixVolumes(a, b, c, this->At(point)));
       if (height > largest)
       {
         const int exact = ExactOrientation::SideOfPoint(a, b, c, this->At(point));

@@ -132,9 +132,7 @@ int ContactSigns::DecideExactly(const std::vector<CellComplex::Contact>& contact
   {
     if (this->Signs[i] > 1)
     {
-      const int* p = contacts[i].Points;
-      const int sign = ExactOrientation::SideOfEye(points + 3 * static_cast<size_t>(p[0]),
-        points + 3 * static_cast<size_t>(p[1]), points + 3 * static_cast<size_t>(p[2]), eye);
+      const int sign = ExactOrientation::SideOfEye(points, contacts[i].Points, eye);
       different |= sign ^ (this->Signs[i] - Undecided);
       this->Signs[i] = static_cast<signed char>(sign);
     }

@@ -14,16 +14,6 @@ namespace
 {
 using Triangle = ConvexHull::Triangle;
 
-std::array<double, 3> NormalOf(const ExteriorGeometry& geometry, const Triangle& t)
-{
-  double a[3], b[3];
-  std::array<double, 3> normal;
-  vtkMath::Subtract(geometry.At(t[1]), geometry.At(t[0]), a);
-  vtkMath::Subtract(geometry.At(t[2]), geometry.At(t[0]), b);
-  vtkMath::Cross(a, b, normal.data());
-  return normal;
-}
-
 // The triangles about `seed` that lie in its plane, `seed` included; they are marked as taken.
 std::vector<int> GrowFacet(const ExteriorGeometry& geometry, const std::vector<Triangle>& triangles,
   const std::map<std::pair<int, int>, int>& triangleOfEdge, int seed, int plane,
@@ -90,7 +80,7 @@ void Enclosure::TakeConvexHull()
     {
       triangleOfEdge[{ triangles[t][i], triangles[t][(i + 1) % 3] }] = t;
     }
-    seeds.emplace_back(-vtkMath::Norm(NormalOf(this->Geometry, triangles[t]).data()), t);
+    seeds.emplace_back(-vtkMath::Norm(this->Geometry.GetNormal(triangles[t].data()).data()), t);
   }
   // The largest first: their normals are the surest.
   std::sort(seeds.begin(), seeds.end());
@@ -98,8 +88,9 @@ void Enclosure::TakeConvexHull()
   for (const auto& seed : seeds)
   {
     const Triangle& t = triangles[seed.second];
-    const int plane =
-      taken[seed.second] ? -1 : this->Geometry.AddPlane(NormalOf(this->Geometry, t), t[0], -1);
+    const int plane = taken[seed.second]
+                        ? -1
+                        : this->Geometry.AddPlane(this->Geometry.GetNormal(t.data()), t[0], -1);
     if (plane < 0)
     {
       continue;
@@ -155,20 +146,9 @@ void Enclosure::TakeBox()
 //------------------------------------------------------------------------------
 void Enclosure::AddFacet(int plane, const std::vector<int>& points)
 {
-  std::map<PlanarRegion::Point, int> pointAt;
-  PlanarRegion::Polygon projected;
-  for (const int point : points)
-  {
-    projected.push_back(this->Geometry.Project(plane, point));
-    pointAt.emplace(projected.back(), point);
-  }
   ExteriorFace facet;
   facet.Plane = plane;
-  for (const PlanarRegion::Point& corner :
-    PlanarRegion::ConvexHull(projected, this->Geometry.Tolerance))
-  {
-    facet.Corners.push_back(pointAt.at(corner));
-  }
+  facet.Corners = this->Geometry.FindHull(plane, points);
   if (facet.Corners.size() > 2)
   {
     this->Facets.push_back(facet);

@@ -30,6 +30,13 @@ inline int SideOfEye(const double a[3], const double b[3], const double c[3], co
 {
   return eye[3] == 0.0 ? SideOfDirection(a, b, c, eye) : SideOfPoint(a, b, c, eye);
 }
+
+/** The same for three ids of `points`, an array of three values per point. */
+inline int SideOfEye(const double* points, const int triangle[3], const double eye[4])
+{
+  return SideOfEye(
+    points + 3LL * triangle[0], points + 3LL * triangle[1], points + 3LL * triangle[2], eye);
+}
 }
 
 #endif

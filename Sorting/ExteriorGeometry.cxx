@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <numeric>
 
 namespace
@@ -15,16 +16,6 @@ constexpr double RelativeTolerance = 1e-12;
 long long EdgeKey(int from, int to)
 {
   return (static_cast<long long>(from) << 32) | to;
-}
-
-std::array<double, 3> NormalOf(const ExteriorGeometry& geometry, const int points[3])
-{
-  double a[3], b[3];
-  std::array<double, 3> normal;
-  vtkMath::Subtract(geometry.At(points[1]), geometry.At(points[0]), a);
-  vtkMath::Subtract(geometry.At(points[2]), geometry.At(points[0]), b);
-  vtkMath::Cross(a, b, normal.data());
-  return normal;
 }
 }
 
@@ -62,7 +53,7 @@ void ExteriorGeometry::FindPlanes()
   std::vector<double> areas(boundary.size());
   for (size_t t = 0; t < boundary.size(); ++t)
   {
-    areas[t] = vtkMath::Norm(NormalOf(*this, boundary[t].Points).data());
+    areas[t] = vtkMath::Norm(this->GetNormal(boundary[t].Points).data());
     for (int i = 0; i < 3; ++i)
     {
       triangleOfEdge[EdgeKey(boundary[t].Points[i], boundary[t].Points[(i + 1) % 3])] =
@@ -88,7 +79,7 @@ void ExteriorGeometry::GrowPlane(int seed, const std::unordered_map<long long, i
 {
   const auto& boundary = this->Mesh.Boundary;
   const int plane =
-    this->AddPlane(NormalOf(*this, boundary[seed].Points), boundary[seed].Points[0], seed);
+    this->AddPlane(this->GetNormal(boundary[seed].Points), boundary[seed].Points[0], seed);
   if (plane < 0)
   {
     return;
@@ -110,7 +101,7 @@ void ExteriorGeometry::GrowPlane(int seed, const std::unordered_map<long long, i
       const bool isInPlane =
         std::all_of(next, next + 3, [&](int point) { return this->SideOf(plane, point) == 0; });
       if (isInPlane &&
-          vtkMath::Dot(NormalOf(*this, next).data(), this->Planes[plane].Normal.data()) > 0.0)
+          vtkMath::Dot(this->GetNormal(next).data(), this->Planes[plane].Normal.data()) > 0.0)
       {
         this->PlaneOfTriangle[found->second] = plane;
         open.push_back(found->second);
@@ -133,6 +124,35 @@ int ExteriorGeometry::SideOf(int plane, int point) const
 {
   const double distance = this->Distance(plane, point);
   return (distance > this->Tolerance) - (distance < -this->Tolerance);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> ExteriorGeometry::GetNormal(const int points[3]) const
+{
+  double a[3], b[3];
+  std::array<double, 3> normal;
+  vtkMath::Subtract(this->At(points[1]), this->At(points[0]), a);
+  vtkMath::Subtract(this->At(points[2]), this->At(points[0]), b);
+  vtkMath::Cross(a, b, normal.data());
+  return normal;
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> ExteriorGeometry::FindHull(int plane, const std::vector<int>& points) const
+{
+  std::map<PlanarRegion::Point, int> pointAt;
+  PlanarRegion::Polygon projected;
+  for (const int point : points)
+  {
+    projected.push_back(this->Project(plane, point));
+    pointAt.emplace(projected.back(), point);
+  }
+  std::vector<int> hull;
+  for (const PlanarRegion::Point& corner : PlanarRegion::ConvexHull(projected, this->Tolerance))
+  {
+    hull.push_back(pointAt.at(corner));
+  }
+  return hull;
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,12 @@ public:
   double Distance(int plane, int point) const;
   /** -1, 0 or 1: points within the tolerance are in the plane. */
   int SideOf(int plane, int point) const;
+  /** Of a triangle, twice its area long. */
+  std::array<double, 3> GetNormal(const int points[3]) const;
   PlanarRegion::Point Project(int plane, int point) const;
+  /** The corners of the convex hull of points in a plane, counter-clockwise about its normal; fewer
+   *  than three where they are in line. */
+  std::vector<int> FindHull(int plane, const std::vector<int>& points) const;
   /** The point of a plane that projects to `at`: one of `near` within the tolerance, else new. */
   int FindPoint(int plane, const PlanarRegion::Point& at, const std::vector<int>& near);
 

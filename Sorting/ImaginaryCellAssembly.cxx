@@ -4,7 +4,6 @@
 #include "vtkMath.h"
 
 #include <algorithm>
-#include <map>
 #include <set>
 
 namespace
@@ -78,14 +77,7 @@ std::vector<ImaginaryCellAssembly::Facet> ImaginaryCellAssembly::FindFacets(
 //------------------------------------------------------------------------------
 bool ImaginaryCellAssembly::AddFace(const Facet& facet)
 {
-  std::map<PlanarRegion::Point, int> pointAt;
-  PlanarRegion::Polygon projected;
-  for (const int point : facet.Points)
-  {
-    projected.push_back(this->Geometry.Project(facet.Plane, point));
-    pointAt.emplace(projected.back(), point);
-  }
-  PlanarRegion::Polygon corners = PlanarRegion::ConvexHull(projected, this->Geometry.Tolerance);
+  std::vector<int> corners = this->Geometry.FindHull(facet.Plane, facet.Points);
   if (corners.size() < 3)
   {
     return false;
@@ -94,9 +86,9 @@ bool ImaginaryCellAssembly::AddFace(const Facet& facet)
   {
     std::reverse(corners.begin(), corners.end());
   }
-  for (const PlanarRegion::Point& corner : corners)
+  for (const int corner : corners)
   {
-    this->Cells.FaceCorners.push_back(this->TakePoint(pointAt.at(corner)));
+    this->Cells.FaceCorners.push_back(this->TakePoint(corner));
   }
   this->Cells.FaceOffsets.push_back(static_cast<int>(this->Cells.FaceCorners.size()));
   return true;

@@ -31,10 +31,7 @@ vtkIdType CountMisordered(
         {
           continue;
         }
-        const int side =
-          ExactOrientation::SideOfEye(points + 3 * static_cast<size_t>(contact.Points[0]),
-            points + 3 * static_cast<size_t>(contact.Points[1]),
-            points + 3 * static_cast<size_t>(contact.Points[2]), eye);
+        const int side = ExactOrientation::SideOfEye(points, contact.Points, eye);
         // The cell on the eye's side has to come later.
         wrong += (side > 0 && above < below) || (side < 0 && below < above) ? 1 : 0;
       }

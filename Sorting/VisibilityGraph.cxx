@@ -19,37 +19,37 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
   this->Points = &complex.Points;
   this->NumberOfMeshCells = complex.NumberOfCells;
   this->Centers = ImaginaryCenters::Append(complex, imaginary);
-  this->NumberCells();
+  const vtkBoundingBox box = this->NumberCells();
   this->TakeContacts(complex, imaginary);
   this->LinkCells();
-  this->Signs.Build(complex.Points, this->Contacts, this->Center, this->Size);
+  double center[3] = { 0.0, 0.0, 0.0 };
+  if (box.IsValid())
+  {
+    box.GetCenter(center);
+  }
+  this->Signs.Build(
+    complex.Points, this->Contacts, center, box.IsValid() ? box.GetDiagonalLength() : 0.0);
   this->Sorted = false;
 }
 
 //------------------------------------------------------------------------------
-void VisibilityGraph::NumberCells()
+vtkBoundingBox VisibilityGraph::NumberCells()
 {
   vtkBoundingBox box;
   for (size_t i = 0; i < this->Centers.size(); i += 3)
   {
     box.AddPoint(this->Centers[i], this->Centers[i + 1], this->Centers[i + 2]);
   }
-  if (box.IsValid())
-  {
-    box.GetCenter(this->Center);
-    this->Size = box.GetDiagonalLength();
-  }
   this->InputId = MortonOrder::Find(this->Centers, box);
   std::stable_partition(this->InputId.begin(), this->InputId.end(),
     [this](int input) { return input < this->NumberOfMeshCells; });
-  this->OwnId.resize(this->InputId.size());
   std::vector<double> centers(this->Centers.size());
   for (size_t own = 0; own < this->InputId.size(); ++own)
   {
-    this->OwnId[this->InputId[own]] = static_cast<int>(own);
     std::copy_n(&this->Centers[3 * static_cast<size_t>(this->InputId[own])], 3, &centers[3 * own]);
   }
   this->Centers.swap(centers);
+  return box;
 }
 
 //------------------------------------------------------------------------------
@@ -60,12 +60,17 @@ void VisibilityGraph::TakeContacts(const CellComplex& complex, const ImaginaryCe
   {
     contacts.insert(contacts.end(), imaginary->Contacts.begin(), imaginary->Contacts.end());
   }
+  std::vector<int> ownId(this->InputId.size());
+  for (size_t own = 0; own < ownId.size(); ++own)
+  {
+    ownId[this->InputId[own]] = static_cast<int>(own);
+  }
   // By the first of their cells, so that contacts lie in memory as their cells do.
   std::vector<int> next(this->InputId.size() + 1, 0);
   for (CellComplex::Contact& contact : contacts)
   {
-    contact.Cells[0] = this->OwnId[contact.Cells[0]];
-    contact.Cells[1] = this->OwnId[contact.Cells[1]];
+    contact.Cells[0] = ownId[contact.Cells[0]];
+    contact.Cells[1] = ownId[contact.Cells[1]];
     ++next[std::min(contact.Cells[0], contact.Cells[1]) + 1];
   }
   for (size_t i = 1; i < next.size(); ++i)

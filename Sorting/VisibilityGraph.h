@@ -23,6 +23,7 @@
 #include <utility>
 #include <vector>
 
+class vtkBoundingBox;
 struct ImaginaryCells;
 
 class VisibilityGraph
@@ -65,7 +66,7 @@ private:
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
 
-  void NumberCells();
+  vtkBoundingBox NumberCells();
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
 
@@ -94,13 +95,10 @@ private:
 
   const std::vector<double>* Points = nullptr;
   int NumberOfMeshCells = 0;
-  double Center[3] = { 0.0, 0.0, 0.0 };
-  double Size = 0.0;
 
   // Cells by the graph's own numbers: those of the mesh first.
   std::vector<double> Centers;
   std::vector<int> InputId;
-  std::vector<int> OwnId;
   std::vector<CellComplex::Contact> Contacts;
   std::vector<int> LinkOffsets;
   std::vector<Link> Links;
