@@ -7,6 +7,7 @@
 flat in int cell;
 
 uniform int findLeast;
+uniform int onlyBeforeOpaque; // draw where opaque geometry cuts the cell
 
 //VTK::Ray::Dec
 //VTK::ConvexCell::Dec
@@ -15,6 +16,10 @@ uniform int findLeast;
 void main()
 {
   Ray ray = rayOfFragment();
+  if (onlyBeforeOpaque != 0 && texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r >= 1.0)
+  {
+    discard;
+  }
   Passage p = passageOf(cell, ray);
   vec2 scalars;
   if (!scalarsAlong(cell, ray, p, scalars))
