@@ -6,6 +6,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <atomic>
 
 namespace
@@ -18,6 +19,18 @@ glm::vec3 CenterOf(const std::vector<float>& points, const int* corners, int cou
     sum += glm::dvec3(glm::make_vec3(&points[4 * static_cast<size_t>(corners[i])]));
   }
   return glm::vec3(sum / static_cast<double>(count));
+}
+
+float RadiusOf(
+  const std::vector<float>& points, const int* corners, int count, const glm::vec3& center)
+{
+  float radius = 0.0f;
+  for (int i = 0; i < count; ++i)
+  {
+    const glm::vec3 corner = glm::make_vec3(&points[4 * static_cast<size_t>(corners[i])]);
+    radius = std::max(radius, glm::distance(corner, center));
+  }
+  return radius;
 }
 
 // Writes the planes of one cell's faces, single ones from the front, then the pairs.
@@ -78,9 +91,9 @@ bool CellPlanes::SetUpCell(int cell, const std::vector<float>& points, const Con
   const FacePieces& pieces)
 {
   std::array<int, 4>& header = this->Headers[cell];
-  const glm::vec3 center =
-    CenterOf(points, cells.Corners.GetRow(cell), cells.Corners.GetSize(cell));
-  this->Texels[header[0]] = glm::vec4(center, 0.0f);
+  const int* corners = cells.Corners.GetRow(cell);
+  const glm::vec3 center = CenterOf(points, corners, header[3]);
+  this->Texels[header[0]] = glm::vec4(center, RadiusOf(points, corners, header[3], center));
   PlaneWriter writer(&this->Texels[header[0] + 1], &this->Pieces[header[0] + 1], center);
   int planes[2] = { 0, 0 };
   bool isFlat = cells.Faces.GetSize(cell) < 4;

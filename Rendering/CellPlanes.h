@@ -13,10 +13,10 @@
  * @class CellPlanes
  * @brief The planes between which a ray is inside a convex cell.
  *
- * Per cell a run of texels: its centre, then its planes as inward normal and offset, inside where
- * normal . (x - centre) + offset > 0. Between single planes the cell is the intersection. A warped
- * face gives two planes: single ones where its diagonal is a ridge of the cell, a pair at the end
- * of the run where it is a valley: inside either of a pair is inside.
+ * Per cell a run of texels: its centre and radius, then its planes as inward normal and offset,
+ * inside where normal . (x - centre) + offset > 0. Between single planes the cell is the
+ * intersection. A warped face gives two planes: single ones where its diagonal is a ridge of the
+ * cell, a pair at the end of the run where it is a valley: inside either of a pair is inside.
  *
  * The two cells of a face hold the same normals, negated. A cell that is flat once its points are
  * floats has no planes and is not drawn.

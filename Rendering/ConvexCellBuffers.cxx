@@ -90,6 +90,8 @@ bool ConvexCellBuffers::UploadCells(vtkOpenGLRenderWindow* window, const Prepare
          this->Put(window, this->PlaneTexels, glm::value_ptr(planes.Texels[0]),
            4 * planes.Texels.size(), 4) &&
          this->Put(window, this->PlanePieces, planes.Pieces.data(), planes.Pieces.size(), 1) &&
+         this->Put(window, this->PieceCorners, this->Pieces.Corners[0].data(),
+           4 * this->Pieces.Corners.size(), 4) &&
          this->Put(window, this->PieceShapes, glm::value_ptr(this->Pieces.Shapes[0].GradientU),
            12 * this->Pieces.Shapes.size(), 4);
 }
@@ -117,11 +119,11 @@ bool ConvexCellBuffers::UploadFunction(
 }
 
 //------------------------------------------------------------------------------
-std::array<ConvexCellBuffers::Named*, 10> ConvexCellBuffers::GetAll()
+std::array<ConvexCellBuffers::Named*, 11> ConvexCellBuffers::GetAll()
 {
   return { { &this->Headers, &this->CornerIds, &this->Points, &this->PlaneTexels,
-    &this->PlanePieces, &this->PieceShapes, &this->PieceScalars, &this->CellValues,
-    &this->NodePositions, &this->NodeValues } };
+    &this->PlanePieces, &this->PieceCorners, &this->PieceShapes, &this->PieceScalars,
+    &this->CellValues, &this->NodePositions, &this->NodeValues } };
 }
 
 //------------------------------------------------------------------------------

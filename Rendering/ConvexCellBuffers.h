@@ -61,7 +61,7 @@ private:
   template <class Value>
   bool Put(
     vtkOpenGLRenderWindow* window, Named& named, const Value* values, size_t count, int components);
-  std::array<Named*, 10> GetAll();
+  std::array<Named*, 11> GetAll();
 
   ConvexCellFaces Cells;
   FacePieces Pieces;
@@ -72,6 +72,7 @@ private:
   Named Points{ "points" };
   Named PlaneTexels{ "cellPlanes" };
   Named PlanePieces{ "planePieces" };
+  Named PieceCorners{ "pieceCorners" };
   Named PieceShapes{ "pieceShapes" };
   Named PieceScalars{ "pieceScalars" };
   Named CellValues{ "cellValues" };

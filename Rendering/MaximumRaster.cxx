@@ -50,15 +50,6 @@ vtkShaderProgram* ReadyFaceProgram(vtkOpenGLRenderWindow* window)
 }
 
 //------------------------------------------------------------------------------
-bool MaximumRaster::UploadCorners(
-  vtkOpenGLRenderWindow* window, const std::vector<std::array<int, 4>>& corners)
-{
-  const bool good = this->Corners.Upload(window, corners[0].data(), 4 * corners.size(), 4);
-  this->Failure = good ? this->Failure : this->Corners.GetFailure();
-  return good;
-}
-
-//------------------------------------------------------------------------------
 bool MaximumRaster::UploadFaceScalars(
   vtkOpenGLRenderWindow* window, const std::vector<float>& scalars)
 {
@@ -74,7 +65,6 @@ void MaximumRaster::DrawFaces(
 {
   RayUniforms::Set(program, view);
   buffers.Activate(program);
-  this->Corners.Activate(program, "pieceCorners");
   if (this->HasFaceScalars)
   {
     this->FaceScalars.Activate(program, "pieceScalars");
@@ -84,7 +74,6 @@ void MaximumRaster::DrawFaces(
   {
     this->FaceScalars.Deactivate();
   }
-  this->Corners.Deactivate();
   buffers.Deactivate();
 }
 
@@ -155,7 +144,6 @@ bool MaximumRaster::Draw(
 //------------------------------------------------------------------------------
 void MaximumRaster::ReleaseGraphicsResources(vtkWindow* window)
 {
-  this->Corners.ReleaseGraphicsResources(window);
   this->FaceScalars.ReleaseGraphicsResources(window);
   this->Faces.ReleaseGraphicsResources();
   this->Cells.ReleaseGraphicsResources();

@@ -5,7 +5,6 @@
 #include "NumberedPoints.h"
 #include "TextureBuffer.h"
 
-#include <array>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,6 @@ class vtkWindow;
 class MaximumRaster
 {
 public:
-  /// Once for new cells; `corners`: four point ids per piece of a face.
-  bool UploadCorners(vtkOpenGLRenderWindow* window, const std::vector<std::array<int, 4>>& corners);
   /// Four per piece, where scalars are those of cells; else empty.
   bool UploadFaceScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   bool UploadFaces(const std::vector<unsigned int>& pieces) { return this->Faces.Upload(pieces); }
@@ -50,7 +47,6 @@ private:
   void DrawCells(vtkShaderProgram* program, const RasterView& view, ConvexCellBuffers& buffers,
     NumberedPoints& cells);
 
-  TextureBuffer Corners;
   TextureBuffer FaceScalars;
   bool HasFaceScalars = false;
   NumberedPoints Faces;

@@ -24,7 +24,6 @@ public:
   bool SelectedLeast = false;
 
   // When the GPU's copies were made; a default stamp is older than everything.
-  vtkTimeStamp CornersUploaded;
   vtkTimeStamp FaceScalarsUploaded;
   vtkTimeStamp SelectionUploaded;
 };
@@ -132,22 +131,6 @@ bool vtkMaximumProjectionMapper::UploadCutCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkMaximumProjectionMapper::Upload(CellProjectionFrame& frame)
-{
-  Internals& internal = *this->Internal;
-  const ConvexCellBuffers& buffers = internal.Polyhedra.Buffers;
-  if (internal.CornersUploaded < buffers.GetCellsTime())
-  {
-    if (!internal.Raster.UploadCorners(frame.Window, buffers.GetPieces().Corners))
-    {
-      return false;
-    }
-    internal.CornersUploaded.Modified();
-  }
-  return this->UploadFaceScalars(frame) && this->UploadSelection() && this->UploadCutCells(frame);
-}
-
-//------------------------------------------------------------------------------
 bool vtkMaximumProjectionMapper::ProjectCells(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
@@ -157,7 +140,8 @@ bool vtkMaximumProjectionMapper::ProjectCells(CellProjectionFrame& frame)
   {
     failure = buffers.GetFailure();
   }
-  else if (!this->Upload(frame) ||
+  else if (!this->UploadFaceScalars(frame) || !this->UploadSelection() ||
+           !this->UploadCutCells(frame) ||
            !internal.Raster.Draw(frame.Window, frame.GetRasterView(), buffers, this->FindsLeast()))
   {
     failure = internal.Raster.GetFailure();
@@ -176,7 +160,6 @@ void vtkMaximumProjectionMapper::ReleaseGraphicsResources(vtkWindow* window)
   Internals& internal = *this->Internal;
   internal.Polyhedra.Buffers.ReleaseGraphicsResources(window);
   internal.Raster.ReleaseGraphicsResources(window);
-  internal.CornersUploaded = vtkTimeStamp();
   internal.FaceScalarsUploaded = vtkTimeStamp();
   internal.SelectionUploaded = vtkTimeStamp();
   this->Superclass::ReleaseGraphicsResources(window);

@@ -56,7 +56,6 @@ private:
   void operator=(const vtkMaximumProjectionMapper&) = delete;
 
   bool FindsLeast();
-  bool Upload(CellProjectionFrame& frame);
   bool UploadFaceScalars(CellProjectionFrame& frame);
   bool UploadSelection();
   bool UploadCutCells(CellProjectionFrame& frame);

@@ -4,6 +4,7 @@
 #include "PolyhedraRaster.h"
 #include "PreparedPolyhedra.h"
 #include "PreparedVolume.h"
+#include "ThreePassRaster.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -16,6 +17,7 @@ class vtkProjectedPolyhedraMapper::Internals
 public:
   PreparedPolyhedra Polyhedra;
   PolyhedraRaster Raster;
+  ThreePassRaster ThreePasses;
   vtkTimeStamp CellsUploaded;
 };
 
@@ -96,7 +98,10 @@ bool vtkProjectedPolyhedraMapper::ProjectCells(CellProjectionFrame& frame)
   }
   else if (this->Passes == THREE)
   {
-    failure = "three passes are not part of this version";
+    ThreePassRaster& raster = internal.ThreePasses;
+    const bool drawn = raster.Draw(
+      frame.Window, frame.GetRasterView(), this->GetPreparedVolume(), internal.Polyhedra);
+    failure = drawn ? "" : raster.GetFailure();
   }
   else if (!this->DrawOnePass(frame))
   {
@@ -115,6 +120,7 @@ void vtkProjectedPolyhedraMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Internal->Polyhedra.Buffers.ReleaseGraphicsResources(window);
   this->Internal->Raster.ReleaseGraphicsResources();
+  this->Internal->ThreePasses.ReleaseGraphicsResources(window);
   this->Internal->CellsUploaded = vtkTimeStamp();
   this->Superclass::ReleaseGraphicsResources(window);
 }
