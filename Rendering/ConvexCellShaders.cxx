@@ -1,5 +1,6 @@
 #include "ConvexCellShaders.h"
 
+#include "RayUniforms.h"
 #include "cpCellBounds.h"
 #include "cpCellFootprint.h"
 #include "cpCellGeometry.h"
@@ -8,8 +9,9 @@
 #include "cpConvexCell.h"
 #include "cpEmission.h"
 #include "cpFaceScalar.h"
+#include "cpLongFace.h"
+#include "cpMeanEmission.h"
 #include "cpOctagon.h"
-#include "cpRay.h"
 #include "cpScreenPoint.h"
 #include "cpSegment.h"
 #include "cpTransferFunction.h"
@@ -17,6 +19,8 @@
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
+
+#include <string>
 
 namespace
 {
@@ -29,29 +33,34 @@ std::string GeometrySource()
   vtkShaderProgram::Substitute(source, "//VTK::Octagon::Dec", cpOctagon);
   return source;
 }
+
+std::string FragmentSource(const char* main, const ConvexCellShaders::Variant& variant)
+{
+  std::string source = main;
+  auto put = [&source](const char* tag, const char* code)
+  { vtkShaderProgram::Substitute(source, tag, code); };
+  put("//VTK::ConvexCell::Dec", cpConvexCell);
+  put("//VTK::Valley::Dec", cpValley);
+  put("//VTK::CellScalars::Dec", cpCellScalars);
+  put("//VTK::FaceScalar::Dec", cpFaceScalar);
+  put("//VTK::LongFace::Dec", variant.HasLongFaces ? cpLongFace : "");
+  put("//VTK::LongFace::Impl",
+    variant.HasLongFaces ? "piece = pieceAround(piece, center, point);" : "");
+  put("//VTK::TransferFunction::Dec", cpTransferFunction);
+  put("//VTK::Integral::Dec", cpEmission);
+  put("//VTK::Segment::Dec", variant.AverageEmission ? cpMeanEmission : cpSegment);
+  return source;
+}
 }
 
 namespace ConvexCellShaders
 {
 //------------------------------------------------------------------------------
-std::string FragmentSource(const char* main)
-{
-  std::string source = main;
-  vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
-  vtkShaderProgram::Substitute(source, "//VTK::ConvexCell::Dec", cpConvexCell);
-  vtkShaderProgram::Substitute(source, "//VTK::FaceScalar::Dec", cpFaceScalar);
-  vtkShaderProgram::Substitute(source, "//VTK::Valley::Dec", cpValley);
-  vtkShaderProgram::Substitute(source, "//VTK::CellScalars::Dec", cpCellScalars);
-  vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
-  vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpEmission);
-  vtkShaderProgram::Substitute(source, "//VTK::Segment::Dec", cpSegment);
-  return source;
-}
-
-//------------------------------------------------------------------------------
-vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const std::string& fragment)
+vtkShaderProgram* ReadyProgram(
+  vtkOpenGLRenderWindow* window, const char* main, const RasterView& view, const Variant& variant)
 {
   static const std::string geometry = GeometrySource();
+  const std::string fragment = RayUniforms::WithRay(FragmentSource(main, variant), view);
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(cpCellVertex, fragment.c_str(), geometry.c_str());
   return program && program->GetCompiled() ? program : nullptr;

@@ -1,8 +1,7 @@
 #ifndef ConvexCellShaders_h
 #define ConvexCellShaders_h
 
-#include <string>
-
+struct RasterView;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 
@@ -12,11 +11,17 @@ class vtkShaderProgram;
  */
 namespace ConvexCellShaders
 {
-/// `main`: the fragment shader, with tags where it takes the shared parts.
-std::string FragmentSource(const char* main);
+/// What a mesh or a mapper does without costs nothing: it is not in the source.
+struct Variant
+{
+  bool HasLongFaces = false;
+  bool AverageEmission = false;
+};
 
-/// Null where it does not compile. VTK's cache finds the compiled program by its source again.
-vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const std::string& fragment);
+/// `main`: the fragment shader, with tags where it takes the shared parts. Null where it does not
+/// compile. VTK's cache finds the compiled program by its source again.
+vtkShaderProgram* ReadyProgram(
+  vtkOpenGLRenderWindow* window, const char* main, const RasterView& view, const Variant& variant);
 }
 
 #endif

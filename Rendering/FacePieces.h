@@ -51,6 +51,8 @@ public:
   /// `points`: 4 floats each.
   void Build(const std::vector<float>& points, const ConvexCellFaces::Rows& loops);
 
+  /// Whether a face has more than four corners, and so more than one piece.
+  bool HasLongFaces() const { return this->Corners.size() > this->Planes.size(); }
   int GetNumberOfPieces() const { return static_cast<int>(this->Corners.size()); }
 
   std::vector<int> Offsets;                // of each face's first piece; one more at the end

@@ -12,7 +12,6 @@
 #include "cpFootprint.h"
 #include "cpHull.h"
 #include "cpNearClip.h"
-#include "cpRay.h"
 #include "cpTriangle.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
@@ -31,18 +30,17 @@ std::string FaceGeometrySource()
   return source;
 }
 
-std::string FaceFragmentSource()
+std::string FaceFragmentSource(const RasterView& view)
 {
-  std::string source = cpFaceFragment;
-  vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
+  std::string source = RayUniforms::WithRay(cpFaceFragment, view);
   vtkShaderProgram::Substitute(source, "//VTK::Triangle::Dec", cpTriangle);
   return source;
 }
 
-vtkShaderProgram* ReadyFaceProgram(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* ReadyFaceProgram(vtkOpenGLRenderWindow* window, const RasterView& view)
 {
   static const std::string geometry = FaceGeometrySource();
-  static const std::string fragment = FaceFragmentSource();
+  const std::string fragment = FaceFragmentSource(view);
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(cpCellVertex, fragment.c_str(), geometry.c_str());
   return program && program->GetCompiled() ? program : nullptr;
@@ -91,8 +89,7 @@ void MaximumRaster::DrawCells(vtkShaderProgram* program, const RasterView& view,
 bool MaximumRaster::FindExtrema(
   vtkOpenGLRenderWindow* window, const RasterView& view, ConvexCellBuffers& buffers, bool findLeast)
 {
-  static const std::string cellFragment = ConvexCellShaders::FragmentSource(cpExtremumCellFragment);
-  vtkShaderProgram* faces = ReadyFaceProgram(window);
+  vtkShaderProgram* faces = ReadyFaceProgram(window, view);
   if (!faces)
   {
     return false;
@@ -100,7 +97,8 @@ bool MaximumRaster::FindExtrema(
   faces->SetUniformi("findLeast", findLeast ? 1 : 0);
   this->DrawFaces(faces, view, buffers);
   const bool hasOpaque = this->Target.HasOpaque(window, view.OpaqueDepth);
-  vtkShaderProgram* cells = ConvexCellShaders::ReadyProgram(window, cellFragment);
+  vtkShaderProgram* cells = ConvexCellShaders::ReadyProgram(
+    window, cpExtremumCellFragment, view, { buffers.GetPieces().HasLongFaces(), false });
   if (!cells)
   {
     return false;

@@ -17,8 +17,8 @@
 bool PolyhedraRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& view,
   ConvexCellBuffers& buffers, bool averageEmission)
 {
-  static const std::string fragment = ConvexCellShaders::FragmentSource(cpPolyhedraFragment);
-  vtkShaderProgram* program = ConvexCellShaders::ReadyProgram(window, fragment);
+  vtkShaderProgram* program = ConvexCellShaders::ReadyProgram(
+    window, cpPolyhedraFragment, view, { buffers.GetPieces().HasLongFaces(), averageEmission });
   if (!program)
   {
     this->Failure = "the projection's shaders did not compile";
@@ -26,7 +26,6 @@ bool PolyhedraRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& view
   }
   view.OpaqueDepth->Activate();
   RayUniforms::Set(program, view);
-  program->SetUniformi("averageEmission", averageEmission ? 1 : 0);
   buffers.Activate(program);
   window->GetState()->vtkglBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ONE);
   this->Cells.Draw();

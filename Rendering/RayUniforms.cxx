@@ -2,10 +2,21 @@
 
 #include "RasterView.h"
 #include "ViewRays.h"
+#include "cpRay.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
 #include <glm/gtc/type_ptr.hpp>
+
+//------------------------------------------------------------------------------
+std::string RayUniforms::WithRay(const std::string& fragment, const RasterView& view)
+{
+  std::string source = fragment;
+  vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
+  vtkShaderProgram::Substitute(source, "//VTK::ClipRay::Impl",
+    view.ClippingPlanes->empty() ? "" : "clipRay(view, ray.limits);");
+  return source;
+}
 
 //------------------------------------------------------------------------------
 void RayUniforms::Set(vtkShaderProgram* program, const RasterView& view)

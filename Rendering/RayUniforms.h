@@ -1,15 +1,22 @@
 #ifndef RayUniforms_h
 #define RayUniforms_h
 
+#include <string>
+
 struct RasterView;
 class vtkShaderProgram;
 
-/// The uniforms of cpRay.glsl and of the footprints, for a ready program; the view's opaque depth
-/// is bound. At most MaximumClippingPlanes clip.
+/// The ray of a fragment in a program, and its uniforms.
 namespace RayUniforms
 {
+/// More do not clip.
 constexpr int MaximumClippingPlanes = 6;
 
+/// `fragment` with cpRay.glsl in the place of its tag. Without clipping planes the code that clips
+/// is left out: it would cost a fragment a sixth of its time to find that there are none.
+std::string WithRay(const std::string& fragment, const RasterView& view);
+
+/// Also what the footprints need, for a ready program; the view's opaque depth is bound.
 void Set(vtkShaderProgram* program, const RasterView& view);
 }
 

@@ -12,7 +12,6 @@
 #include "cpIntegral.h"
 #include "cpLayerSearchFragment.h"
 #include "cpNearClip.h"
-#include "cpRay.h"
 #include "cpSegment.h"
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
@@ -41,7 +40,6 @@ std::string GeometrySource()
 std::string FragmentSource(const char* main, const std::string& layer)
 {
   std::string source = main;
-  vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
   vtkShaderProgram::Substitute(source, "//VTK::Clip::Dec", cpTetrahedronClip);
   vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
   vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpIntegral);
@@ -118,17 +116,17 @@ vtkShaderProgram* TetrahedraRaster::ReadyProgram(
 
 //------------------------------------------------------------------------------
 bool TetrahedraRaster::BuildPrograms(
-  vtkOpenGLRenderWindow* window, bool withLayers, Programs& programs)
+  vtkOpenGLRenderWindow* window, const View& view, bool withLayers, Programs& programs)
 {
   static const std::string cells = FragmentSource(cpTetrahedraFragment, "");
   static const std::string search = FragmentSource(cpLayerSearchFragment, "");
   static const std::string layer = FragmentSource(cpTetrahedraFragment, cpDepthLayer);
   if (withLayers)
   {
-    programs.Search = this->ReadyProgram(window, search);
-    programs.Layer = this->ReadyProgram(window, layer);
+    programs.Search = this->ReadyProgram(window, RayUniforms::WithRay(search, view));
+    programs.Layer = this->ReadyProgram(window, RayUniforms::WithRay(layer, view));
   }
-  programs.Cells = this->ReadyProgram(window, cells);
+  programs.Cells = this->ReadyProgram(window, RayUniforms::WithRay(cells, view));
   const bool compiled = programs.Cells && (!withLayers || (programs.Search && programs.Layer));
   if (!compiled)
   {
@@ -155,7 +153,7 @@ bool TetrahedraRaster::BeginCells(
   const std::vector<DrawnCells::Run>& runs = view.Cells->Runs;
   const bool withLayers =
     std::any_of(runs.begin(), runs.end(), [](const DrawnCells::Run& run) { return run.IsCyclic; });
-  if (!this->BuildPrograms(window, withLayers, programs))
+  if (!this->BuildPrograms(window, view, withLayers, programs))
   {
     return false;
   }

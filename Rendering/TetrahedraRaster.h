@@ -69,7 +69,8 @@ private:
     vtkShaderProgram* Search = nullptr;
     vtkShaderProgram* Layer = nullptr;
   };
-  bool BuildPrograms(vtkOpenGLRenderWindow* window, bool withLayers, Programs& programs);
+  bool BuildPrograms(
+    vtkOpenGLRenderWindow* window, const View& view, bool withLayers, Programs& programs);
   vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const std::string& fragment);
   bool BeginCells(vtkOpenGLRenderWindow* window, const View& view, Programs& programs);
   void EndCells(const View& view, const Programs& programs);

@@ -9,7 +9,6 @@
 #include "RayUniforms.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
-#include "cpRay.h"
 #include "cpThreePassFragment.h"
 #include "cpThreePassVertex.h"
 #include "cpTransferFunction.h"
@@ -30,15 +29,10 @@ namespace
 // Behind the near plane by this, in mesh coordinates: GL has nothing left to cut.
 constexpr float Behind = 2e-6f;
 
-vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window)
+vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const RasterView& view)
 {
-  static const std::string fragment = []
-  {
-    std::string source = cpThreePassFragment;
-    vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
-    vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
-    return source;
-  }();
+  std::string fragment = RayUniforms::WithRay(cpThreePassFragment, view);
+  vtkShaderProgram::Substitute(fragment, "//VTK::TransferFunction::Dec", cpTransferFunction);
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(cpThreePassVertex, fragment.c_str(), "");
   return program && program->GetCompiled() ? program : nullptr;
@@ -169,7 +163,7 @@ bool ThreePassRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& view
   {
     return false;
   }
-  vtkShaderProgram* program = ReadyProgram(window);
+  vtkShaderProgram* program = ReadyProgram(window, view);
   if (!program)
   {
     this->Failure = "the projection's shaders did not compile";

@@ -3,7 +3,6 @@
 
 uniform isamplerBuffer cellHeaders; // first texel, planes + 65536 pairs, first corner, corners
 uniform samplerBuffer cellPlanes;   // of a cell: its centre, then inward normals and offsets
-uniform isamplerBuffer planePieces; // of a plane: the first piece of its face
 
 const vec3 nudge = vec3(0.6180340, 0.4142136, 0.2360680); // along no face of a tidy mesh
 const float farAway = 1e30;
@@ -20,21 +19,21 @@ struct Passage
 //VTK::FaceScalar::Dec
 
 // A ray along a face counts as moved a little, all rays to the same side: it sees one of the face's
-// two cells. The face's own point decides, as it is the same for both.
-bool isOutside(int plane, vec3 normal, vec3 point)
+// two cells. Heights of both differ by rounding only, so what is that small decides nothing.
+bool isOutside(vec3 normal, float height)
 {
-  float side = dot(normal, point - firstPoint(texelFetch(planePieces, plane).r));
-  return (side != 0.0 ? side : dot(normal, nudge)) < 0.0;
+  return (abs(height) > 1e-6 ? height : dot(normal, nudge)) < 0.0;
 }
 
 void cutAtPlane(int plane, Ray ray, float parallel, inout Passage p)
 {
   vec4 texel = texelFetch(cellPlanes, plane);
   float slope = dot(texel.xyz, ray.direction);
-  float depth = -(dot(texel.xyz, p.place) + texel.w) / slope;
+  float height = dot(texel.xyz, p.place) + texel.w;
+  float depth = -height / slope;
   if (abs(slope) <= parallel)
   {
-    p.depths.y = isOutside(plane, texel.xyz, ray.point) ? -farAway : p.depths.y;
+    p.depths.y = isOutside(texel.xyz, height) ? -farAway : p.depths.y;
   }
   else if (slope > 0.0 && depth > p.depths.x)
   {

@@ -5,30 +5,18 @@ uniform samplerBuffer pieceScalars; // of the four corners
 uniform samplerBuffer cellValues;
 uniform int onePerCell;
 
-vec3 firstPoint(int piece)
-{
-  return texelFetch(pieceShapes, 3 * piece + 2).xyz;
-}
+//VTK::LongFace::Dec
 
 // `point` in mesh coordinates relative to `center`.
 float scalarOnFace(int piece, vec3 center, vec3 point)
 {
+  //VTK::LongFace::Impl
   vec4 first = texelFetch(pieceShapes, 3 * piece + 2);
   vec3 offset = point + (center - first.xyz);
   vec4 shapeU = texelFetch(pieceShapes, 3 * piece);
   vec4 shapeW = texelFetch(pieceShapes, 3 * piece + 1);
   float u = dot(shapeU.xyz, offset);
   float w = dot(shapeW.xyz, offset);
-  // Above zero: the face goes on beyond the edge of v0 and v3.
-  while (shapeW.w > 0.0 && w > 0.0 && u < shapeU.w * w)
-  {
-    ++piece;
-    first = texelFetch(pieceShapes, 3 * piece + 2);
-    shapeU = texelFetch(pieceShapes, 3 * piece);
-    shapeW = texelFetch(pieceShapes, 3 * piece + 1);
-    u = dot(shapeU.xyz, offset);
-    w = dot(shapeW.xyz, offset);
-  }
   vec4 scalars = texelFetch(pieceScalars, piece);
   // Clamped: rounding must not leave the range of the corners' scalars.
   float side = clamp(w > 0.0 ? w : -w / abs(shapeW.w), 0.0, 1.0);

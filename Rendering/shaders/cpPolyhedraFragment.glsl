@@ -6,20 +6,12 @@
 
 flat in int cell;
 
-uniform int averageEmission;
-
 //VTK::Ray::Dec
 //VTK::ConvexCell::Dec
 //VTK::CellScalars::Dec
 //VTK::TransferFunction::Dec
 //VTK::Integral::Dec
 //VTK::Segment::Dec
-
-vec3 emissionAt(float scalar)
-{
-  vec4 value = valueInInterval(firstInterval(scalar, false), scalar);
-  return value.a * value.rgb;
-}
 
 void main()
 {
@@ -31,8 +23,6 @@ void main()
     discard;
   }
   float len = (p.depths.y - p.depths.x) * ray.depthToLength;
-  vec3 colour = averageEmission != 0
-    ? 0.5 * len * (emissionAt(scalars.x) + emissionAt(scalars.y))
-    : integrateSegment(scalars.x, scalars.y, len).rgb;
+  vec3 colour = integrateSegment(scalars.x, scalars.y, len).rgb;
   gl_FragData[0] = vec4(colour, 0.0);
 }

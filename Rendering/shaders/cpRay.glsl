@@ -45,6 +45,6 @@ Ray rayOfFragment()
   float z = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
   float opaque = (depthFromWindow.x + depthFromWindow.y * z) / (depthFromWindow.z + depthFromWindow.w * z);
   ray.limits = vec2(rayDepths.y, z < 1.0 ? opaque : rayDepths.z);
-  clipRay(view, ray.limits);
+  //VTK::ClipRay::Impl
   return ray;
 }
