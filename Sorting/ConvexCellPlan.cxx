@@ -60,6 +60,27 @@ void Unfold(Shape shape, const vtkIdType* ids, const double (*points)[3], Convex
   plan.Folded = false;
 }
 
+// Most cells are convex, and then one tetrahedron tells which way their faces are wound.
+bool TakeWhole(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+  const double (*points)[3], ConvexCellPlan& plan)
+{
+  const int* face = solid.Begin(0);
+  int off = 0;
+  while (solid.Touches(0, off))
+  {
+    ++off;
+  }
+  const double volume =
+    TetrahedralSplit::SixVolumes(points[off], points[face[0]], points[face[1]], points[face[2]]);
+  if (volume == 0.0 || !ConvexityTest::IsConvex(solid, ids, points, volume))
+  {
+    return false;
+  }
+  plan.Fate = ConvexCellPlan::Whole;
+  plan.Inverted = volume < 0.0;
+  return true;
+}
+
 int VTKType(Shape shape)
 {
   constexpr int types[] = { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM,
@@ -82,25 +103,25 @@ ConvexCellPlan PlanConvexCell(
 {
   const auto& solid = TetrahedralSplit::SolidOf(shape);
   TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
+  const bool repeats = RepeatsAnId(ids, solid.NumberOfVertices);
   ConvexCellPlan plan;
+  if (cut == ConvexCellCut::NonConvex && !repeats && TakeWhole(solid, ids, points, plan))
+  {
+    return plan;
+  }
   const double sum = WeighPieces(TetrahedralSplit::Split(shape, ids), points, plan);
   plan.Inverted = sum < 0.0;
-  if (plan.Kept == 0)
+  plan.Fate = plan.Kept == 0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Tetrahedra;
+  if (plan.Kept != 0 && !repeats && cut != ConvexCellCut::All)
   {
-    plan.Fate = ConvexCellPlan::ZeroVolume;
-    return plan;
+    const bool whole = cut == ConvexCellCut::None ||
+                       ConvexityTest::IsConvex(solid, ids, points, plan.Inverted ? -1.0 : 1.0);
+    plan.NonConvex = !whole;
+    plan.Fate = whole ? ConvexCellPlan::Whole : ConvexCellPlan::Tetrahedra;
+    plan.Dropped = whole ? 0 : plan.Dropped;
   }
-  const bool repeats = RepeatsAnId(ids, solid.NumberOfVertices);
-  plan.NonConvex = cut == ConvexCellCut::NonConvex && !repeats &&
-                   !ConvexityTest::IsConvex(solid, ids, points, plan.Inverted ? -1.0 : 1.0);
-  if (cut != ConvexCellCut::All && !repeats && !plan.NonConvex)
-  {
-    plan.Fate = ConvexCellPlan::Whole;
-    plan.Dropped = 0;
-    return plan;
-  }
-  plan.Fate = ConvexCellPlan::Tetrahedra;
-  plan.Folded = plan.Turned != 0 && plan.Turned != plan.Kept;
+  plan.Folded =
+    plan.Fate == ConvexCellPlan::Tetrahedra && plan.Turned != 0 && plan.Turned != plan.Kept;
   if (plan.Folded)
   {
     Unfold(shape, ids, points, plan);
