@@ -24,7 +24,7 @@
  * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners
  * where one sees the whole surface; the triangles of its faces stay as they are. If there is none,
  * it is counted as folded and its tetrahedra, all turned positive, overlap; a polyhedron is left
- * out as concave instead.
+ * out as concave instead. A face that is not convex must be seen whole from its smallest id, too.
  *
  * Polyhedra: each face may be wound either way; points that a face repeats in a row are taken once.
  * Left out are those of which a list of faces has a wrong length, names a point that does not exist

@@ -1,6 +1,7 @@
 // Polyhedra that are drawn: whole or as tetrahedra, however their faces are wound, with points
 // merged and renumbered like all others.
 #include "ConvexCellsTesting.h"
+#include "VTKVersions.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
@@ -160,6 +161,72 @@ void TestWarped()
   CHECK(Near(TotalVolume(Run(grid, true)->GetOutput()), VolumeWithin(grid)));
 }
 
+// A box of which each side is four squares, as an octree has them, turned so that rounding bends
+// the sides: to 1e-16 it is convex, to 1e-7 it is cut up, and left out it is never.
+void TestHangingPoints(int precision)
+{
+  std::vector<Point> points;
+  const auto lattice = [](int i, int j, int k) { return vtkIdType(i + 3 * j + 9 * k); };
+  for (int id = 0; id < 27; ++id)
+  {
+    const Point p = { double(id % 3), double(id / 3 % 3), double(id / 9) };
+    points.push_back({ 1.3 + .48 * p[0] - .6 * p[1] + .64 * p[2],
+      .36 * p[0] + .8 * p[1] + .48 * p[2] + .1, -.8 * p[0] + .6 * p[2] - .7 });
+  }
+  Faces faces;
+  for (int square = 0; square < 24; ++square)
+  {
+    const int axis = square / 8, side = square / 4 % 2 * 2, u = square % 2, v = square / 2 % 2;
+    std::vector<vtkIdType> face;
+    for (const auto& step : { std::array<int, 2>{ 0, 0 }, { 1, 0 }, { 1, 1 }, { 0, 1 } })
+    {
+      int at[3];
+      at[axis] = side;
+      at[(axis + 1) % 3] = u + step[0];
+      at[(axis + 2) % 3] = v + step[1];
+      face.push_back(lattice(at[0], at[1], at[2]));
+    }
+    faces.push_back(face);
+  }
+  auto grid = MakeGrid(points, precision);
+  AddPolyhedron(grid, faces);
+  const double error = precision == VTK_DOUBLE ? 1e-12 : 1e-6;
+  auto filter = Run(grid, false);
+  CHECK_EQUAL(filter->GetNumberOfNonConvexCells(), precision == VTK_DOUBLE ? 0 : 1);
+  CHECK(Near(VolumeWithin(filter->GetOutput()), 8.0, error));
+  filter = Run(grid, true);
+  CHECK(Near(TotalVolume(filter->GetOutput()), 8.0, error));
+  CHECK_EQUAL(filter->GetNumberOfDegenerateCells(), 1);
+}
+
+// A face that is changed where it lies is noticed.
+void TestChangedFaces()
+{
+  auto grid = MakeGrid(Box(0));
+  AddPolyhedron(grid, BoxFaces(Corners));
+  auto filter = Run(grid, false);
+  CHECK_EQUAL(filter->GetNumberOfInvalidCells(), 0);
+  for (vtkObject* faces : GetFaceArrays(grid))
+  {
+    auto* stream = vtkIdTypeArray::SafeDownCast(faces);
+    if (stream && stream->GetNumberOfValues() > 2)
+    {
+      stream->SetValue(2, 6);
+      stream->Modified();
+    }
+    auto* cells = vtkCellArray::SafeDownCast(faces);
+    if (cells && cells->GetNumberOfCells() == 6)
+    {
+      const vtkIdType corners[4] = { 6, 4, 7, 3 };
+      cells->ReplaceCellAtId(0, 4, corners);
+      cells->Modified();
+    }
+  }
+  grid->Modified();
+  filter->Update();
+  CHECK_EQUAL(filter->GetNumberOfInvalidCells(), 1);
+}
+
 // Types, order, SourceCell, and data of points, cells and the field.
 void TestAmongOthers()
 {
@@ -217,6 +284,9 @@ int TestConvexCellsPolyhedra(int, char*[])
   TestConcave({ 3, 4, 5, 0, 1, 2 }, true);
   TestConcave({ 1, 0, 2, 3, 4, 5 }, false);
   TestWarped();
+  TestHangingPoints(VTK_DOUBLE);
+  TestHangingPoints(VTK_FLOAT);
+  TestChangedFaces();
   TestAmongOthers();
   return Result();
 }
