@@ -71,7 +71,13 @@ std::vector<BadCell> BadCells()
   {
     pieces.push_back(face);
   }
-  return { { "no top", Faces(Cube.begin(), Cube.end() - 1), open },
+  Faces joined = Tetrahedron(0, 1, 3, 4);
+  for (const auto& face : Tetrahedron(0, 1, 10, 13))
+  {
+    joined.push_back(face);
+  }
+  return { { "joined at an edge", joined, open },
+    { "no top", Faces(Cube.begin(), Cube.end() - 1), open },
     { "top twice", With(Cube, Cube[5]), open }, { "wall inside", With(Cube, { 0, 1, 6, 7 }), open },
     { "one side", ProjectivePlane, open },
     { "hanging point", Changed(5, { 4, 14, 5, 6, 7 }), open },
@@ -125,10 +131,10 @@ void TestAllTogether()
   AddPolyhedron(grid, Cube);
   auto filter = Run(grid, false);
   CHECK_EQUAL(filter->GetLeftOutSummary(),
-    std::string("cells left out: 5 vtkPolyhedron (wrong list of faces), 5 vtkPolyhedron (open "
+    std::string("cells left out: 5 vtkPolyhedron (wrong list of faces), 6 vtkPolyhedron (open "
                 "surface), 1 vtkPolyhedron (several pieces), 2 of zero volume, 1 ghost or hidden, "
                 "1 with a point that is not finite"));
-  CHECK_EQUAL(filter->GetNumberOfInvalidCells(), 11);
+  CHECK_EQUAL(filter->GetNumberOfInvalidCells(), 12);
   CHECK_EQUAL(filter->GetNumberOfZeroVolumeCells(), 2);
   CHECK_EQUAL(filter->GetOutput()->GetNumberOfCells(), 1);
 }

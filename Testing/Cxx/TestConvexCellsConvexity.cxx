@@ -134,7 +134,9 @@ void TestNeighbours()
 
 // However a dented hexahedron is numbered: its tetrahedra fill what its faces enclose, or the cell
 // is counted as folded. From the smallest id alone, more are.
-void TestDentNumberings()
+// In single precision and turned, no side is plane any more, and the flat tetrahedra have either
+// sign.
+void TestDentNumberings(int precision, double error)
 {
   std::mt19937 random(3);
   std::vector<vtkIdType> names(8);
@@ -145,14 +147,16 @@ void TestDentNumberings()
     std::vector<Point> points(8);
     for (int i = 0; i < 8; ++i)
     {
-      points[names[i]] = i == 6 ? Point{ .45, .45, .45 } : Cube()[i];
+      const Point p = i == 6 ? Point{ .45, .45, .45 } : Cube()[i];
+      points[names[i]] = { .48 * p[0] - .6 * p[1] + .64 * p[2], .36 * p[0] + .8 * p[1] + .48 * p[2],
+        .6 * p[2] - .8 * p[0] };
     }
-    auto grid = MakeGrid(points);
+    auto grid = MakeGrid(points, precision);
     AddCell(grid, VTK_HEXAHEDRON, names);
     auto filter = Run(grid, round % 2);
     folded += filter->GetNumberOfFoldedCells();
     const double volume = TotalVolume(filter->GetOutput());
-    CHECK(Near(volume, VolumeWithin(grid), 1e-9));
+    CHECK(Near(volume, VolumeWithin(grid), error));
     std::shuffle(names.begin(), names.end(), random);
   }
   CHECK_EQUAL(folded, 0);
@@ -177,7 +181,8 @@ int TestConvexCellsConvexity(int, char*[])
   TestThinLayer();
   TestPlanarity();
   TestNeighbours();
-  TestDentNumberings();
+  TestDentNumberings(VTK_DOUBLE, 1e-9);
+  TestDentNumberings(VTK_FLOAT, 1e-6);
   TestNotTested();
   return Result();
 }
