@@ -7,7 +7,6 @@
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
-#include "vtkFieldData.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkPointData.h"
@@ -301,11 +300,7 @@ void ConvexCellConversion::FillCells(vtkUnstructuredGrid* output)
   {
     this->OutputCells = ConvexCellGrid::Make(this->OutputTypes, this->Offsets, this->Ids);
   }
-  // It would empty the field data, which the pipeline has filled.
-  vtkNew<vtkFieldData> fieldData;
-  fieldData->ShallowCopy(output->GetFieldData());
   output->CopyStructure(this->OutputCells);
-  output->SetFieldData(fieldData);
 }
 
 void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output)
