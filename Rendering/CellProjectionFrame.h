@@ -2,6 +2,7 @@
 #define CellProjectionFrame_h
 
 #include "FrameStatistics.h"
+#include "RasterView.h"
 #include "ViewRays.h"
 
 #include <glm/vec4.hpp>
@@ -30,6 +31,11 @@ struct CellProjectionFrame
   std::vector<glm::vec4> ClippingPlanes;
   vtkTextureObject* OpaqueDepth = nullptr;
   FrameStatistics Statistics;
+
+  RasterView GetRasterView() const
+  {
+    return { &this->Rays, &this->ClippingPlanes, this->OpaqueDepth, this->Size[0], this->Size[1] };
+  }
 };
 
 #endif

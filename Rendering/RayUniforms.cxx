@@ -1,14 +1,22 @@
 #include "RayUniforms.h"
 
+#include "RasterView.h"
 #include "ViewRays.h"
 #include "vtkShaderProgram.h"
+#include "vtkTextureObject.h"
 
 #include <glm/gtc/type_ptr.hpp>
 
 //------------------------------------------------------------------------------
-void RayUniforms::Set(
-  vtkShaderProgram* program, const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes)
+void RayUniforms::Set(vtkShaderProgram* program, const RasterView& view)
 {
+  const ViewRays& rays = *view.Rays;
+  const std::vector<glm::vec4>& clippingPlanes = *view.ClippingPlanes;
+  const float size[2] = { static_cast<float>(view.Width), static_cast<float>(view.Height) };
+  program->SetUniform2f("viewportSize", size);
+  glm::mat4 meshToClip = rays.MeshToClip;
+  program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
+  program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
   program->SetUniform2f("rayPixel", glm::value_ptr(rays.Pixel));
   program->SetUniform3fv("rayPoint", 3, glm::value_ptr(rays.Point[0]));
   program->SetUniform3fv("rayDirection", 3, glm::value_ptr(rays.Direction[0]));

@@ -1,21 +1,16 @@
 #ifndef RayUniforms_h
 #define RayUniforms_h
 
-#include <glm/vec4.hpp>
-
-#include <vector>
-
-class ViewRays;
+struct RasterView;
 class vtkShaderProgram;
 
-/// The uniforms of cpRay.glsl but the depth texture. `clippingPlanes`: normal and offset in view
-/// coordinates, MaximumClippingPlanes at most, the positive side stays.
+/// The uniforms of cpRay.glsl and of the footprints, for a ready program; the view's opaque depth
+/// is bound. At most MaximumClippingPlanes clip.
 namespace RayUniforms
 {
 constexpr int MaximumClippingPlanes = 6;
 
-void Set(
-  vtkShaderProgram* program, const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes);
+void Set(vtkShaderProgram* program, const RasterView& view);
 }
 
 #endif

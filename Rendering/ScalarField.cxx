@@ -74,3 +74,18 @@ void ScalarField::Build(vtkDataArray* array, int component, bool onePerCell, con
       }
     });
 }
+
+//------------------------------------------------------------------------------
+bool ScalarField::FindCellRange(vtkIdType cell, const int* corners, int count, float range[2]) const
+{
+  range[0] = range[1] = this->Values[this->OnePerCell ? cell : corners[0]];
+  bool finite = std::isfinite(range[0]);
+  for (int i = 1; i < count && !this->OnePerCell; ++i)
+  {
+    const float value = this->Values[corners[i]];
+    finite = finite && std::isfinite(value);
+    range[0] = std::min(range[0], value);
+    range[1] = std::max(range[1], value);
+  }
+  return finite;
+}

@@ -19,6 +19,9 @@ public:
   /// the transfer function is constant, and 0 and 1 of the normalised scalars lie within them.
   void Build(vtkDataArray* array, int component, bool onePerCell, const double limits[2]);
 
+  /// The least and the greatest normalised scalar of a cell; false where one is not finite.
+  bool FindCellRange(vtkIdType cell, const int* corners, int count, float range[2]) const;
+
   /// One per tuple; not a number where the array's value is not finite.
   std::vector<float> Values;
   /// The least and the greatest finite value.

@@ -5,6 +5,7 @@
 #include "TransferFunction.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
+#include "cpCellVertex.h"
 #include "cpDepthLayer.h"
 #include "cpFootprint.h"
 #include "cpHull.h"
@@ -15,7 +16,6 @@
 #include "cpSegment.h"
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
-#include "cpTetrahedraVertex.h"
 #include "cpTetrahedronClip.h"
 #include "cpTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -24,8 +24,6 @@
 #include "vtkShaderProgram.h"
 
 #include CELLPROJECTION_OPENGL_HEADER
-
-#include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
 
@@ -113,8 +111,8 @@ vtkShaderProgram* TetrahedraRaster::ReadyProgram(
 {
   // VTK's cache finds the compiled program by its source again: nothing to keep here.
   static const std::string geometry = GeometrySource();
-  vtkShaderProgram* program = window->GetShaderCache()->ReadyShaderProgram(
-    cpTetrahedraVertex, fragment.c_str(), geometry.c_str());
+  vtkShaderProgram* program =
+    window->GetShaderCache()->ReadyShaderProgram(cpCellVertex, fragment.c_str(), geometry.c_str());
   return program && program->GetCompiled() ? program : nullptr;
 }
 
@@ -142,13 +140,8 @@ bool TetrahedraRaster::BuildPrograms(
 //------------------------------------------------------------------------------
 void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
 {
-  RayUniforms::Set(program, *view.Rays, *view.ClippingPlanes);
-  const float size[2] = { static_cast<float>(view.Width), static_cast<float>(view.Height) };
-  program->SetUniform2f("viewportSize", size);
-  glm::mat4 meshToClip = view.Rays->MeshToClip;
-  program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
+  RayUniforms::Set(program, view);
   program->SetUniformi("numberOfNodes", this->NumberOfNodes);
-  program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Activate(program, named.Sampler);
@@ -180,12 +173,7 @@ bool TetrahedraRaster::BeginCells(
       this->SetUniforms(program, view);
     }
   }
-  // A core profile draws from a vertex array object only, though ours has no attributes.
-  if (this->VertexArray == 0)
-  {
-    glGenVertexArrays(1, &this->VertexArray);
-  }
-  glBindVertexArray(this->VertexArray);
+  this->VertexArray.Bind();
   this->Order->Bind();
   return true;
 }
@@ -194,7 +182,7 @@ bool TetrahedraRaster::BeginCells(
 void TetrahedraRaster::EndCells(const View& view, const Programs& programs)
 {
   this->Order->Release();
-  glBindVertexArray(0);
+  EmptyVertexArray::Release();
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Deactivate();
@@ -283,9 +271,5 @@ void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
   }
   this->Order->ReleaseGraphicsResources();
   this->Layers.ReleaseGraphicsResources(window);
-  if (this->VertexArray != 0)
-  {
-    glDeleteVertexArrays(1, &this->VertexArray);
-    this->VertexArray = 0;
-  }
+  this->VertexArray.ReleaseGraphicsResources();
 }

@@ -3,18 +3,17 @@
 
 #include "DepthLayers.h"
 #include "DrawnCells.h"
+#include "EmptyVertexArray.h"
+#include "RasterView.h"
 #include "TextureBuffer.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
-
-#include <glm/vec4.hpp>
 
 #include <array>
 #include <string>
 #include <vector>
 
 class TransferFunction;
-class ViewRays;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
 class vtkWindow;
@@ -42,13 +41,8 @@ public:
   bool UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunction& function);
   bool UploadOrder(const DrawnCells& cells);
 
-  struct View
+  struct View : RasterView
   {
-    const ViewRays* Rays = nullptr;
-    const std::vector<glm::vec4>* ClippingPlanes = nullptr;
-    vtkTextureObject* OpaqueDepth = nullptr;
-    int Width = 0;
-    int Height = 0;
     /// What was uploaded, for the box of a cyclic group on the screen.
     const DrawnCells* Cells = nullptr;
     const std::vector<float>* Points = nullptr;
@@ -93,7 +87,7 @@ private:
   TextureBuffer NodeValues;
   vtkNew<vtkOpenGLBufferObject> Order;
   DepthLayers Layers;
-  unsigned int VertexArray = 0;
+  EmptyVertexArray VertexArray;
   int NumberOfNodes = 0;
   std::string Failure;
 };

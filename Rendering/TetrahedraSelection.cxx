@@ -8,7 +8,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 //------------------------------------------------------------------------------
 void TetrahedraSelection::TakeCorners(vtkUnstructuredGrid* tetrahedra)
@@ -34,22 +33,12 @@ void TetrahedraSelection::TakeCorners(vtkUnstructuredGrid* tetrahedra)
 TetrahedraSelection::Class TetrahedraSelection::ClassOf(
   vtkIdType cell, const ScalarField& scalars, const TransferFunction& function) const
 {
-  const int* corners = &this->Corners[4 * cell];
-  float low = scalars.Values[scalars.OnePerCell ? cell : corners[0]];
-  float high = low;
-  bool finite = std::isfinite(low);
-  for (int i = 1; i < 4 && !scalars.OnePerCell; ++i)
-  {
-    const float value = scalars.Values[corners[i]];
-    finite = finite && std::isfinite(value);
-    low = std::min(low, value);
-    high = std::max(high, value);
-  }
-  if (!finite)
+  float range[2];
+  if (!scalars.FindCellRange(cell, &this->Corners[4 * cell], 4, range))
   {
     return Invalid;
   }
-  return function.IsTransparent(low, high) ? Transparent : Drawn;
+  return function.IsTransparent(range[0], range[1]) ? Transparent : Drawn;
 }
 
 //------------------------------------------------------------------------------

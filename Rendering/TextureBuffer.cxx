@@ -38,20 +38,22 @@ bool TextureBuffer::Create(
 
 //------------------------------------------------------------------------------
 bool TextureBuffer::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components)
+  vtkOpenGLRenderWindow* window, const float* values, size_t count, int components)
 {
-  const size_t texels = values.size() / components;
-  return this->Fits(texels) && this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
+  const size_t texels = count / components;
+  return this->Fits(texels) &&
+         this->Buffer->Upload(values, count, vtkOpenGLBufferObject::TextureBuffer) &&
          this->Create(
            window, texels, components, VTK_FLOAT, components == 1 ? GL_R32F : GL_RGBA32F);
 }
 
 //------------------------------------------------------------------------------
 bool TextureBuffer::Upload(
-  vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components)
+  vtkOpenGLRenderWindow* window, const int* values, size_t count, int components)
 {
-  const size_t texels = values.size() / components;
-  return this->Fits(texels) && this->Buffer->Upload(values, vtkOpenGLBufferObject::TextureBuffer) &&
+  const size_t texels = count / components;
+  return this->Fits(texels) &&
+         this->Buffer->Upload(values, count, vtkOpenGLBufferObject::TextureBuffer) &&
          this->Create(window, texels, components, VTK_INT, components == 1 ? GL_R32I : GL_RGBA32I);
 }
 

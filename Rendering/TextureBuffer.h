@@ -19,10 +19,15 @@ class vtkWindow;
 class TextureBuffer
 {
 public:
-  /// Uploads `values`, `components` (1 or 4) per texel. False, with the reason in GetFailure, where
-  /// the array exceeds what the driver's texture buffers hold. The context must be current.
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<float>& values, int components);
-  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<int>& values, int components);
+  /// Uploads `count` values, `components` (1 or 4) per texel. False, with the reason in GetFailure,
+  /// where the array exceeds what the driver's texture buffers hold. The context must be current.
+  bool Upload(vtkOpenGLRenderWindow* window, const float* values, size_t count, int components);
+  bool Upload(vtkOpenGLRenderWindow* window, const int* values, size_t count, int components);
+  template <class Value>
+  bool Upload(vtkOpenGLRenderWindow* window, const std::vector<Value>& values, int components)
+  {
+    return this->Upload(window, values.data(), values.size(), components);
+  }
 
   /// Binds the array to a texture unit of its own and tells the sampler `name` which.
   void Activate(vtkShaderProgram* program, const char* name);

@@ -77,7 +77,8 @@ bool ViewRays::Build(const Transforms& transforms)
   this->SetRays(transforms, clipToView);
   const glm::dmat4 meshToWorld = glm::scale(
     glm::translate(transforms.DataToWorld, transforms.Center), glm::dvec3(transforms.Scale));
-  this->MeshToClip = glm::mat4(transforms.ViewToClip * transforms.WorldToView * meshToWorld);
+  this->MeshToView = transforms.WorldToView * meshToWorld;
+  this->MeshToClip = glm::mat4(transforms.ViewToClip * this->MeshToView);
   return true;
 }
 

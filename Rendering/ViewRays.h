@@ -53,6 +53,7 @@ public:
   /// Window depth z to depth from the reference: (x + y z) / (z + w z).
   glm::vec4 DepthFromWindow{ 0.0f };
   glm::mat4 MeshToClip{ 1.0f };
+  glm::dmat4 MeshToView{ 1.0 };
 
 private:
   void SetDepths(const Transforms& transforms, const glm::dmat4& clipToView);

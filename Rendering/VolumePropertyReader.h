@@ -22,10 +22,11 @@ public:
   std::array<double, 2> FindLimits() const;
 
   /// Builds `function` for scalars normalised over `range`, `extremes` the least and greatest.
+  /// Without `isOpacityPerLength` its extinction is the scalar opacity itself.
   /// Problems with the property (a function without points, a unit distance of zero) are appended
   /// to `problems`, one sentence each, with what was drawn instead.
-  void Read(const double range[2], const double extremes[2], TransferFunction& function,
-    std::vector<std::string>& problems);
+  void Read(const double range[2], const double extremes[2], bool isOpacityPerLength,
+    TransferFunction& function, std::vector<std::string>& problems);
 
   /// What the property asks for and composite projection of tetrahedra does not draw.
   std::vector<std::string> FindUnsupported(int numberOfComponents, bool onePerCell) const;

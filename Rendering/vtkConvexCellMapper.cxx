@@ -230,7 +230,8 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
   }
   std::vector<std::string> problems;
   VolumePropertyReader reader(property);
-  reader.Read(prepared.Scalars.Normal, prepared.Scalars.Range, prepared.Function, problems);
+  reader.Read(prepared.Scalars.Normal, prepared.Scalars.Range, this->IsOpacityPerLength(),
+    prepared.Function, problems);
   for (const std::string& text : problems)
   {
     this->WarnOnce(text);

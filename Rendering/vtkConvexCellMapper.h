@@ -135,6 +135,8 @@ protected:
   virtual bool CanDrawBlendMode(int mode) const = 0;
   /// True where convex cells are to be cut into tetrahedra.
   virtual bool NeedsTetrahedra() const = 0;
+  /// False where ScalarOpacity is a pixel's own opacity, whatever the length of the ray.
+  virtual bool IsOpacityPerLength() const { return true; }
   /// Orders the cells for this view.
   virtual void SortCells(CellProjectionFrame& frame) = 0;
   /// Draws the cells into the bound float target. False where nothing can be drawn.

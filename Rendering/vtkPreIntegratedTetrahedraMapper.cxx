@@ -190,11 +190,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
 {
   TetrahedraRaster::View view;
-  view.Rays = &frame.Rays;
-  view.ClippingPlanes = &frame.ClippingPlanes;
-  view.OpaqueDepth = frame.OpaqueDepth;
-  view.Width = frame.Size[0];
-  view.Height = frame.Size[1];
+  static_cast<RasterView&>(view) = frame.GetRasterView();
   view.Cells = &this->Internal->Drawn;
   view.Points = &this->GetPreparedVolume().Coordinates.Points;
   view.Corners = &this->Internal->Selection.Corners;
