@@ -2,8 +2,9 @@
 
 #include "CarriedData.h"
 #include "CoincidentPoints.h"
+#include "ConvexCellGrid.h"
+#include "PolyhedronPlan.h"
 
-#include "vtkCellArray.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -15,6 +16,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace
@@ -25,43 +27,34 @@ constexpr vtkIdType BlockSize = 4096;
 // In place of a point's canonical id.
 constexpr vtkIdType NonFinitePoint = -1;
 constexpr vtkIdType HiddenPoint = -2;
-constexpr char ImaginaryArrayName[] = "Imaginary";
-
-bool ShapeOf(int cellType, Shape& shape)
-{
-  switch (cellType)
-  {
-    case VTK_TETRA:
-      shape = Shape::Tetrahedron;
-      return true;
-    case VTK_PYRAMID:
-      shape = Shape::Pyramid;
-      return true;
-    case VTK_WEDGE:
-      shape = Shape::Wedge;
-      return true;
-    case VTK_VOXEL:
-    case VTK_HEXAHEDRON:
-      shape = Shape::Hexahedron;
-      return true;
-    default:
-      return false;
-  }
-}
 
 // Null where there is none that fits.
-const unsigned char* Bytes(vtkDataSetAttributes* data, const char* name, vtkIdType count)
+const unsigned char* GhostBits(vtkDataSetAttributes* data, vtkIdType count)
 {
-  auto* array = vtkUnsignedCharArray::SafeDownCast(data->GetArray(name));
+  auto* array =
+    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
   const bool fits = array && array->GetNumberOfValues() == count;
   return fits && count > 0 ? array->GetPointer(0) : nullptr;
 }
 
-const unsigned char* GhostBits(vtkDataSetAttributes* data, vtkIdType count)
+// Whole where all points can be drawn.
+ConvexCellPlan::FateType FateOfPoints(const vtkIdType* ids, vtkIdType count)
 {
-  return Bytes(data, vtkDataSetAttributes::GhostArrayName(), count);
+  const vtkIdType smallest = count > 0 ? *std::min_element(ids, ids + count) : 0;
+  return smallest == HiddenPoint      ? ConvexCellPlan::Ghost
+         : smallest == NonFinitePoint ? ConvexCellPlan::NonFinite
+                                      : ConvexCellPlan::Whole;
 }
 }
+
+/** What one thread reads a cell into. */
+struct ConvexCellConversion::Scratch
+{
+  vtkNew<vtkIdList> List;
+  PolyhedronSurface Surface;
+  std::vector<std::array<double, 3>> Points;
+  vtkIdType Ids[TetrahedralSplit::MaximumVertices];
+};
 
 ConvexCellConversion::ConvexCellConversion(vtkUnstructuredGridBase* input, bool tetrahedraOnly)
   : Input(input)
@@ -69,8 +62,7 @@ ConvexCellConversion::ConvexCellConversion(vtkUnstructuredGridBase* input, bool 
   , NumberOfPoints(input->GetNumberOfPoints())
   , NumberOfCells(input->GetNumberOfCells())
   , Points(input->GetPoints() ? input->GetPoints()->GetData() : nullptr)
-  , GhostCells(GhostBits(input->GetCellData(), input->GetNumberOfCells()))
-  , ImaginaryCells(Bytes(input->GetCellData(), ImaginaryArrayName, input->GetNumberOfCells()))
+  , Reader(input)
 {
 }
 
@@ -83,29 +75,7 @@ vtkIdType ConvexCellConversion::GetNumberOfBlocks() const
 
 void ConvexCellConversion::ReadCells()
 {
-  this->Types.resize(this->NumberOfCells);
-  if (auto* grid = vtkUnstructuredGrid::SafeDownCast(this->Input))
-  {
-    this->Cells = grid->GetCells();
-    vtkSMPTools::For(0, this->NumberOfCells,
-      [&](vtkIdType begin, vtkIdType end)
-      {
-        for (vtkIdType cell = begin; cell < end; ++cell)
-        {
-          this->Types[cell] = static_cast<unsigned char>(grid->GetCellType(cell));
-        }
-      });
-    return;
-  }
-  // Other implementations promise nothing to threads.
-  this->Cells = vtkSmartPointer<vtkCellArray>::New();
-  vtkNew<vtkIdList> list;
-  for (vtkIdType cell = 0; cell < this->NumberOfCells; ++cell)
-  {
-    this->Types[cell] = static_cast<unsigned char>(this->Input->GetCellType(cell));
-    this->Input->GetCellPoints(cell, list);
-    this->Cells->InsertNextCell(list);
-  }
+  this->Reader.Open();
 }
 
 void ConvexCellConversion::MergePoints()
@@ -153,87 +123,96 @@ void ConvexCellConversion::NumberOutputPoints()
   }
 }
 
-// visit(cell, list, block) for the cells of each block in order; the blocks in parallel.
+// visit(block, first cell, end of cells, scratch); the blocks in parallel.
 template <typename Visit>
 void ConvexCellConversion::VisitBlocks(vtkIdType begin, vtkIdType end, Visit visit)
 {
   vtkSMPTools::For(begin, end, 1,
     [&](vtkIdType firstBlock, vtkIdType lastBlock)
     {
-      vtkNew<vtkIdList> list;
+      Scratch scratch;
       for (vtkIdType block = firstBlock; block < lastBlock; ++block)
       {
         const vtkIdType last = std::min((block + 1) * BlockSize, this->NumberOfCells);
-        visit(block, block * BlockSize, last, list.Get());
+        visit(block, block * BlockSize, last, scratch);
       }
     });
 }
 
-// Canonical ids in the shape's order. False where the cell is not one of this mesh.
-bool ConvexCellConversion::ReadIds(
-  vtkIdType cell, Shape shape, vtkIdList* list, vtkIdType* ids) const
+ConvexCellConversion::Coordinates* ConvexCellConversion::FetchPoints(
+  const vtkIdType* ids, int count, Scratch& scratch) const
 {
-  const int count = TetrahedralSplit::NumberOfVertices(shape);
-  this->Cells->GetCellAtId(cell, list);
-  if (list->GetNumberOfIds() != count)
-  {
-    return false;
-  }
+  scratch.Points.resize(count);
   for (int i = 0; i < count; ++i)
   {
-    const vtkIdType id = list->GetId(i);
-    if (id < 0 || id >= this->NumberOfPoints)
-    {
-      return false;
-    }
-    ids[i] = this->Canonical[id];
+    this->Points.Get(ids[i], scratch.Points[i].data());
   }
-  if (this->Types[cell] == VTK_VOXEL)
-  {
-    std::swap(ids[2], ids[3]);
-    std::swap(ids[6], ids[7]);
-  }
-  return true;
+  return reinterpret_cast<Coordinates*>(scratch.Points.data());
 }
 
-ConvexCellPlan ConvexCellConversion::PlanCell(vtkIdType cell, vtkIdList* list) const
+ConvexCellCut ConvexCellConversion::FindCut(int type) const
 {
-  constexpr int ghostBits = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  if (this->TetrahedraOnly)
+  {
+    return ConvexCellCut::All;
+  }
+  const bool isConvex = type == VTK_TETRA || type == VTK_VOXEL;
+  return isConvex ? ConvexCellCut::None : ConvexCellCut::NonConvex;
+}
+
+// Moves the cursor past what will be written.
+ConvexCellPlan ConvexCellConversion::PlanCell(
+  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const
+{
   ConvexCellPlan plan;
   Shape shape;
-  vtkIdType ids[TetrahedralSplit::MaximumVertices];
-  if (this->ImaginaryCells && this->ImaginaryCells[cell] == 1)
+  const int type = this->Reader.GetTypes()[cell];
+  plan.Fate = this->Reader.Refuse(cell);
+  if (plan.Fate != ConvexCellPlan::Whole)
   {
-    plan.Fate = ConvexCellPlan::Imaginary;
     return plan;
   }
-  if (this->GhostCells && (this->GhostCells[cell] & ghostBits))
+  if (type == VTK_POLYHEDRON)
   {
-    plan.Fate = ConvexCellPlan::Ghost;
-    return plan;
+    return this->PlanPolyhedronCell(cell, scratch, cursor);
   }
-  if (!ShapeOf(this->Types[cell], shape))
+  if (!ConvexCellReader::ShapeOf(type, shape))
   {
     plan.Fate = ConvexCellPlan::OtherType;
     return plan;
   }
-  if (!this->ReadIds(cell, shape, list, ids))
+  if (!this->Reader.ReadIds(cell, shape, this->Canonical, scratch.List, scratch.Ids))
   {
+    plan.Fate = ConvexCellPlan::Invalid;
     return plan;
   }
   const int count = TetrahedralSplit::NumberOfVertices(shape);
-  const vtkIdType smallest = *std::min_element(ids, ids + count);
-  if (smallest < 0)
+  plan.Fate = FateOfPoints(scratch.Ids, count);
+  if (plan.Fate == ConvexCellPlan::Whole)
   {
-    plan.Fate = smallest == HiddenPoint ? ConvexCellPlan::Ghost : ConvexCellPlan::NonFinite;
+    plan = PlanConvexCell(
+      shape, scratch.Ids, this->FetchPoints(scratch.Ids, count, scratch), this->FindCut(type));
+    SkipConvexCell(plan, shape, cursor);
+  }
+  return plan;
+}
+
+ConvexCellPlan ConvexCellConversion::PlanPolyhedronCell(
+  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const
+{
+  ConvexCellPlan plan;
+  if (!this->Reader.ReadSurface(cell, this->Canonical, scratch.List, scratch.Surface))
+  {
+    plan.Fate = ConvexCellPlan::WrongList;
     return plan;
   }
-  double points[TetrahedralSplit::MaximumVertices][3];
-  for (int i = 0; i < count; ++i)
-  {
-    this->Points.Get(ids[i], points[i]);
-  }
-  return PlanConvexCell(shape, ids, points, this->TetrahedraOnly);
+  const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
+  const int count = static_cast<int>(ids.size());
+  plan.Fate = FateOfPoints(ids.data(), count);
+  return plan.Fate == ConvexCellPlan::Whole
+           ? PlanPolyhedron(scratch.Surface, this->FetchPoints(ids.data(), count, scratch),
+               this->FindCut(VTK_POLYHEDRON), cursor)
+           : plan;
 }
 
 void ConvexCellConversion::PlanBlocks(vtkIdType begin, vtkIdType end)
@@ -241,15 +220,12 @@ void ConvexCellConversion::PlanBlocks(vtkIdType begin, vtkIdType end)
   this->Plans.resize(this->NumberOfCells);
   this->BlockStarts.resize(this->GetNumberOfBlocks() + 1);
   this->VisitBlocks(begin, end,
-    [this](vtkIdType block, vtkIdType first, vtkIdType last, vtkIdList* list)
+    [this](vtkIdType block, vtkIdType first, vtkIdType last, Scratch& scratch)
     {
       ConvexCellCursor size;
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        this->Plans[cell] = this->PlanCell(cell, list);
-        Shape shape = Shape::Tetrahedron;
-        ShapeOf(this->Types[cell], shape);
-        SkipConvexCell(this->Plans[cell], shape, size);
+        this->Plans[cell] = this->PlanCell(cell, scratch, size);
       }
       this->BlockStarts[block + 1] = size;
     });
@@ -272,38 +248,59 @@ void ConvexCellConversion::AllocateCells()
   this->SourceCells->SetNumberOfValues(end.Cell);
 }
 
+void ConvexCellConversion::WriteCell(
+  vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
+{
+  const ConvexCellPlan& plan = this->Plans[cell];
+  const vtkIdType* outputIds = this->OutputIds.empty() ? nullptr : this->OutputIds.data();
+  const int type = this->Reader.GetTypes()[cell];
+  Shape shape;
+  if (plan.Fate > ConvexCellPlan::Tetrahedra)
+  {
+    return;
+  }
+  if (ConvexCellReader::ShapeOf(type, shape) &&
+      this->Reader.ReadIds(cell, shape, this->Canonical, scratch.List, scratch.Ids))
+  {
+    WriteConvexCell(plan, shape, scratch.Ids, outputIds, cell, arrays, cursor);
+  }
+  else if (this->Reader.ReadSurface(cell, this->Canonical, scratch.List, scratch.Surface))
+  {
+    const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
+    Coordinates* points = this->FetchPoints(ids.data(), static_cast<int>(ids.size()), scratch);
+    WritePolyhedron(plan, scratch.Surface, points, outputIds, cell, arrays, cursor);
+  }
+}
+
 void ConvexCellConversion::WriteBlocks(vtkIdType begin, vtkIdType end)
 {
   const ConvexCellArrays arrays = { this->OutputTypes->GetPointer(0), this->Offsets->GetPointer(0),
     this->Ids->GetPointer(0), this->SourceCells->GetPointer(0) };
-  const vtkIdType* outputIds = this->OutputIds.empty() ? nullptr : this->OutputIds.data();
   this->VisitBlocks(begin, end,
-    [&](vtkIdType block, vtkIdType first, vtkIdType last, vtkIdList* list)
+    [&](vtkIdType block, vtkIdType first, vtkIdType last, Scratch& scratch)
     {
       ConvexCellCursor cursor = this->BlockStarts[block];
       for (vtkIdType cell = first; cell < last; ++cell)
       {
-        const ConvexCellPlan& plan = this->Plans[cell];
-        Shape shape;
-        vtkIdType ids[TetrahedralSplit::MaximumVertices];
-        if (plan.Fate <= ConvexCellPlan::Tetrahedra && ShapeOf(this->Types[cell], shape) &&
-            this->ReadIds(cell, shape, list, ids))
-        {
-          WriteConvexCell(plan, shape, ids, outputIds, cell, arrays, cursor);
-        }
+        this->WriteCell(cell, scratch, arrays, cursor);
       }
     });
 }
 
 void ConvexCellConversion::FillOutput(vtkUnstructuredGrid* output)
 {
+  this->FillCells(output);
   this->FillPoints(output);
-  if (this->OutputCells->GetNumberOfCells() == 0)
-  {
-    this->OutputCells->SetData(this->Offsets, this->Ids);
-  }
-  output->SetCells(this->OutputTypes, this->OutputCells);
   this->FillCellData(output);
+}
+
+void ConvexCellConversion::FillCells(vtkUnstructuredGrid* output)
+{
+  if (!this->OutputCells)
+  {
+    this->OutputCells = ConvexCellGrid::Make(this->OutputTypes, this->Offsets, this->Ids);
+  }
+  output->CopyStructure(this->OutputCells);
 }
 
 void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output)
@@ -355,31 +352,21 @@ void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
   }
   if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Imaginary)))
   {
-    data->RemoveArray(ImaginaryArrayName);
+    data->RemoveArray("Imaginary");
   }
   data->AddArray(this->SourceCells);
 }
 
 ConvexCellCounts ConvexCellConversion::Count() const
 {
-  ConvexCellCounts counts = CountConvexCells(this->Plans, this->Types);
+  ConvexCellCounts counts = CountConvexCells(this->Plans, this->Reader.GetTypes());
   counts.MergedPoints = this->NumberOfMergedPoints;
   return counts;
 }
 
 void ConvexCellConversion::ReleaseWorkingMemory()
 {
-  this->Cells = nullptr;
+  this->Reader.Close();
   std::vector<vtkIdType>().swap(this->Canonical);
   std::vector<ConvexCellCursor>().swap(this->BlockStarts);
-}
-
-bool ConvexCellConversion::HasSameTypes(vtkUnstructuredGridBase* input) const
-{
-  bool same = input->GetNumberOfCells() == this->NumberOfCells;
-  for (vtkIdType cell = 0; same && cell < this->NumberOfCells; ++cell)
-  {
-    same = this->Types[cell] == static_cast<unsigned char>(input->GetCellType(cell));
-  }
-  return same;
 }

@@ -4,13 +4,14 @@
  * Passes, in the order of the methods: 1 merge points, 2 plan cells, 3 allocate, 4 write, 5 fill
  * the output. Passes 2 and 4 work on blocks of cells, in parallel, each block writing at its own
  * place in the output: the result does not depend on the threads. The algorithms are in
- * CoincidentPoints, ConvexCellPlan and TetrahedralSplit.
+ * CoincidentPoints, ConvexCellPlan, PolyhedronPlan, ConvexityTest and TetrahedralSplit.
  */
 #ifndef ConvexCellConversion_h
 #define ConvexCellConversion_h
 
 #include "ConvexCellCounts.h"
 #include "ConvexCellPlan.h"
+#include "ConvexCellReader.h"
 #include "PointCoordinates.h"
 
 #include "vtkNew.h"
@@ -18,7 +19,6 @@
 
 #include <vector>
 
-class vtkCellArray;
 class vtkIdList;
 class vtkIdTypeArray;
 class vtkPoints;
@@ -34,7 +34,7 @@ public:
 
   vtkIdType GetNumberOfBlocks() const;
 
-  void ReadCells();                                 // types and point ids
+  void ReadCells();                                 // types, points, faces
   void MergePoints();                               // a canonical id per point, or why it has none
   void PlanBlocks(vtkIdType begin, vtkIdType end);  // what becomes of each cell
   void AllocateCells();                             // where each block begins in the output
@@ -48,14 +48,24 @@ public:
   /** FillOutput then takes the data of `input`, whose points, cells and their types are the same:
    *  the output's points and cells stay the objects they were. */
   void TakeDataFrom(vtkUnstructuredGridBase* input) { this->Input = input; }
-  bool HasSameTypes(vtkUnstructuredGridBase* input) const;
+  bool HasSameTypes(vtkUnstructuredGridBase* input) const
+  {
+    return this->Reader.HasSameTypes(input);
+  }
 
 private:
-  using Shape = TetrahedralSplit::Shape;
+  using Coordinates = double[3];
+  struct Scratch;
 
-  bool ReadIds(vtkIdType cell, Shape shape, vtkIdList* list, vtkIdType* ids) const;
-  ConvexCellPlan PlanCell(vtkIdType cell, vtkIdList* list) const;
+  ConvexCellCut FindCut(int type) const;
+  ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const;
+  ConvexCellPlan PlanPolyhedronCell(
+    vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const;
+  void WriteCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
+    ConvexCellCursor& cursor) const;
+  Coordinates* FetchPoints(const vtkIdType* ids, int count, Scratch& scratch) const;
   void NumberOutputPoints();
+  void FillCells(vtkUnstructuredGrid* output);
   void FillPoints(vtkUnstructuredGrid* output);
   void FillCellData(vtkUnstructuredGrid* output) const;
   template <typename Visit>
@@ -66,11 +76,7 @@ private:
   const vtkIdType NumberOfPoints;
   const vtkIdType NumberOfCells;
   const PointCoordinates Points;
-  const unsigned char* GhostCells;
-  const unsigned char* ImaginaryCells;
-
-  std::vector<unsigned char> Types;
-  vtkSmartPointer<vtkCellArray> Cells;
+  ConvexCellReader Reader;
   std::vector<vtkIdType> Canonical;    // by input point
   std::vector<vtkIdType> OutputIds;    // by input point; empty where nothing is merged or removed
   std::vector<vtkIdType> SourcePoints; // by output point; empty likewise
@@ -82,8 +88,8 @@ private:
   vtkNew<vtkIdTypeArray> Offsets;
   vtkNew<vtkIdTypeArray> Ids;
   vtkNew<vtkIdTypeArray> SourceCells;
-  vtkNew<vtkCellArray> OutputCells;
-  vtkSmartPointer<vtkPoints> OutputPoints; // null where the input's are taken
+  vtkSmartPointer<vtkUnstructuredGrid> OutputCells; // without points
+  vtkSmartPointer<vtkPoints> OutputPoints;          // null where the input's are taken
 };
 
 #endif

@@ -1,6 +1,7 @@
 #include "ConvexCellCounts.h"
 
 #include "vtkCell.h"
+#include "vtkCellType.h"
 #include "vtkGenericCell.h"
 #include "vtkSmartPointer.h"
 
@@ -14,6 +15,22 @@ void AppendKind(std::string& summary, vtkIdType count, const std::string& what)
   {
     summary += (summary.empty() ? "cells left out: " : ", ") + std::to_string(count) + " " + what;
   }
+}
+
+// Why a type is not taken, and what would help.
+std::string Reason(vtkCell* example)
+{
+  if (!example)
+  {
+    return "not supported";
+  }
+  const int dimension = example->GetCellDimension();
+  if (dimension < 3)
+  {
+    return std::to_string(dimension) + "-D";
+  }
+  const std::string help = ": vtkDataSetTriangleFilter makes tetrahedra of it";
+  return (example->GetCellType() == VTK_CONVEX_POINT_SET ? "no faces" : "not linear") + help;
 }
 
 void CountOtherTypes(const std::vector<ConvexCellPlan>& plans,
@@ -31,11 +48,10 @@ void CountOtherTypes(const std::vector<ConvexCellPlan>& plans,
       continue;
     }
     const auto example = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-    const int dimension = example ? example->GetCellDimension() : 3;
+    const bool isLower = example && example->GetCellDimension() < 3;
     const std::string name = example ? example->GetClassName() : "of type " + std::to_string(type);
-    (dimension < 3 ? counts.LowerDimensionalCells : counts.UnsupportedCells) += cells[type];
-    AppendKind(counts.LeftOutSummary, cells[type],
-      name + (dimension < 3 ? " (" + std::to_string(dimension) + "-D)" : " (not supported)"));
+    (isLower ? counts.LowerDimensionalCells : counts.UnsupportedCells) += cells[type];
+    AppendKind(counts.LeftOutSummary, cells[type], name + " (" + Reason(example) + ")");
   }
 }
 }
@@ -52,12 +68,15 @@ ConvexCellCounts CountConvexCells(
     counts.DroppedTetrahedra += plan.Dropped;
     counts.InvertedCells += plan.Inverted;
     counts.FoldedCells += plan.Folded;
+    counts.NonConvexCells += plan.NonConvex;
   }
   counts.ZeroVolumeCells = fates[ConvexCellPlan::ZeroVolume];
   counts.GhostCells = fates[ConvexCellPlan::Ghost];
   counts.NonFiniteCells = fates[ConvexCellPlan::NonFinite];
   counts.ImaginaryCells = fates[ConvexCellPlan::Imaginary];
-  counts.InvalidCells = fates[ConvexCellPlan::Invalid];
+  counts.ConcaveCells = fates[ConvexCellPlan::Concave];
+  counts.InvalidCells = fates[ConvexCellPlan::Invalid] + fates[ConvexCellPlan::WrongList] +
+                        fates[ConvexCellPlan::Open] + fates[ConvexCellPlan::SeveralPieces];
   counts.SkippedCells = static_cast<vtkIdType>(plans.size()) - fates[ConvexCellPlan::Whole] -
                         fates[ConvexCellPlan::Tetrahedra] - counts.ImaginaryCells;
   if (fates[ConvexCellPlan::OtherType] > 0)
@@ -65,9 +84,13 @@ ConvexCellCounts CountConvexCells(
     CountOtherTypes(plans, types, counts);
   }
   std::string& summary = counts.LeftOutSummary;
+  AppendKind(summary, fates[ConvexCellPlan::WrongList], "vtkPolyhedron (wrong list of faces)");
+  AppendKind(summary, fates[ConvexCellPlan::Open], "vtkPolyhedron (open surface)");
+  AppendKind(summary, fates[ConvexCellPlan::SeveralPieces], "vtkPolyhedron (several pieces)");
+  AppendKind(summary, counts.ConcaveCells, "vtkPolyhedron (concave: no corner sees all of it)");
   AppendKind(summary, counts.ZeroVolumeCells, "of zero volume");
   AppendKind(summary, counts.GhostCells, "ghost or hidden");
   AppendKind(summary, counts.NonFiniteCells, "with a point that is not finite");
-  AppendKind(summary, counts.InvalidCells, "with a wrong list of points");
+  AppendKind(summary, fates[ConvexCellPlan::Invalid], "with a wrong list of points");
   return counts;
 }

@@ -17,6 +17,7 @@ struct ConvexCellCounts
   vtkIdType DroppedTetrahedra = 0;
   vtkIdType InvertedCells = 0;
   vtkIdType FoldedCells = 0;
+  vtkIdType NonConvexCells = 0;
   vtkIdType SkippedCells = 0;
   vtkIdType ZeroVolumeCells = 0;
   vtkIdType LowerDimensionalCells = 0;
@@ -24,6 +25,7 @@ struct ConvexCellCounts
   vtkIdType GhostCells = 0;
   vtkIdType NonFiniteCells = 0;
   vtkIdType ImaginaryCells = 0;
+  vtkIdType ConcaveCells = 0;
   vtkIdType InvalidCells = 0;
   std::string LeftOutSummary;
 };

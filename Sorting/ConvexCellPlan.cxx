@@ -1,10 +1,11 @@
 #include "ConvexCellPlan.h"
 
+#include "ConvexityTest.h"
+
 #include "vtkCellType.h"
 
 #include <algorithm>
 #include <bitset>
-#include <cmath>
 
 namespace
 {
@@ -23,26 +24,6 @@ bool RepeatsAnId(const vtkIdType* ids, int count)
   return false;
 }
 
-// A power of two, hence exact: determinants of huge or tiny coordinates neither overflow nor
-// vanish.
-void ScaleIfExtreme(double (*points)[3], int count)
-{
-  double largest = 0.0;
-  for (int i = 0; i < 3 * count; ++i)
-  {
-    largest = std::max(largest, std::abs(points[i / 3][i % 3]));
-  }
-  if (largest == 0.0 || (largest > 1e-60 && largest < 1e60))
-  {
-    return;
-  }
-  const int exponent = -std::ilogb(largest);
-  for (int i = 0; i < 3 * count; ++i)
-  {
-    points[i / 3][i % 3] = std::scalbn(points[i / 3][i % 3], exponent);
-  }
-}
-
 // Returns the sum of the pieces' volumes, times six.
 double WeighPieces(const Pieces& pieces, const double (*points)[3], ConvexCellPlan& plan)
 {
@@ -53,26 +34,58 @@ double WeighPieces(const Pieces& pieces, const double (*points)[3], ConvexCellPl
     const double volume =
       TetrahedralSplit::SixVolumes(points[v[0]], points[v[1]], points[v[2]], points[v[3]]);
     plan.Dropped += volume == 0.0;
-    plan.Kept |= (volume != 0.0) << piece;
-    plan.Turned |= (volume < 0.0) << piece;
+    plan.Kept |= static_cast<std::uint32_t>(volume != 0.0) << piece;
+    plan.Turned |= static_cast<std::uint32_t>(volume < 0.0) << piece;
     sum += volume;
   }
   return sum;
 }
 
-int VTKType(Shape shape)
+// Looks for a corner from which all pieces have one sign; those of the other are flat.
+void Unfold(Shape shape, const vtkIdType* ids, const double (*points)[3], ConvexCellPlan& plan)
 {
-  constexpr int types[] = { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON };
-  return types[static_cast<int>(shape)];
+  const auto& solid = TetrahedralSplit::SolidOf(shape);
+  const int apex = TetrahedralSplit::FindApex(solid, ids, points, plan.Inverted ? -1.0 : 1.0);
+  if (apex < 0)
+  {
+    return;
+  }
+  ConvexCellPlan other;
+  const Pieces pieces = TetrahedralSplit::Split(shape, ids, apex);
+  WeighPieces(pieces, points, other);
+  plan.Apex = apex;
+  plan.Kept = plan.Inverted ? other.Turned : other.Kept & ~other.Turned;
+  plan.Turned = plan.Inverted ? other.Turned : 0;
+  plan.Dropped = pieces.Count - static_cast<int>(std::bitset<32>(plan.Kept).count());
+  plan.Folded = false;
 }
 
-void BeginCell(
-  int type, vtkIdType sourceCell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor)
+// Most cells are convex, and then one tetrahedron tells which way their faces are wound.
+bool TakeWhole(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+  const double (*points)[3], ConvexCellPlan& plan)
 {
-  arrays.Types[cursor.Cell] = static_cast<unsigned char>(type);
-  arrays.Offsets[cursor.Cell] = cursor.Id;
-  arrays.SourceCells[cursor.Cell] = sourceCell;
-  ++cursor.Cell;
+  const int* face = solid.Begin(0);
+  int off = 0;
+  while (solid.Touches(0, off))
+  {
+    ++off;
+  }
+  const double volume =
+    TetrahedralSplit::SixVolumes(points[off], points[face[0]], points[face[1]], points[face[2]]);
+  if (volume == 0.0 || !ConvexityTest::IsConvex(solid, ids, points, volume))
+  {
+    return false;
+  }
+  plan.Fate = ConvexCellPlan::Whole;
+  plan.Inverted = volume < 0.0;
+  return true;
+}
+
+int VTKType(Shape shape)
+{
+  constexpr int types[] = { VTK_TETRA, VTK_PYRAMID, VTK_WEDGE, VTK_HEXAHEDRON, VTK_PENTAGONAL_PRISM,
+    VTK_HEXAGONAL_PRISM };
+  return types[static_cast<int>(shape)];
 }
 
 void WritePiece(const unsigned char* vertex, bool turned, const vtkIdType* ids,
@@ -86,25 +99,43 @@ void WritePiece(const unsigned char* vertex, bool turned, const vtkIdType* ids,
 }
 
 ConvexCellPlan PlanConvexCell(
-  Shape shape, const vtkIdType* ids, double (*points)[3], bool tetrahedraOnly)
+  Shape shape, const vtkIdType* ids, double (*points)[3], ConvexCellCut cut)
 {
-  const int count = TetrahedralSplit::NumberOfVertices(shape);
-  ScaleIfExtreme(points, count);
+  const auto& solid = TetrahedralSplit::SolidOf(shape);
+  TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
+  const bool repeats = RepeatsAnId(ids, solid.NumberOfVertices);
   ConvexCellPlan plan;
-  const Pieces pieces = TetrahedralSplit::Split(shape, ids);
-  plan.Inverted = WeighPieces(pieces, points, plan) < 0.0;
-  plan.Folded = plan.Turned != 0 && plan.Turned != plan.Kept;
-  const bool cut = tetrahedraOnly || RepeatsAnId(ids, count);
-  plan.Fate = cut ? ConvexCellPlan::Tetrahedra : ConvexCellPlan::Whole;
-  if (plan.Kept == 0)
+  if (cut == ConvexCellCut::NonConvex && !repeats && TakeWhole(solid, ids, points, plan))
   {
-    plan.Fate = ConvexCellPlan::ZeroVolume;
+    return plan;
   }
-  if (plan.Fate == ConvexCellPlan::Whole)
+  const double sum = WeighPieces(TetrahedralSplit::Split(shape, ids), points, plan);
+  plan.Inverted = sum < 0.0;
+  plan.Fate = plan.Kept == 0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Tetrahedra;
+  if (plan.Kept != 0 && !repeats && cut != ConvexCellCut::All)
   {
-    plan.Dropped = 0;
+    const bool whole = cut == ConvexCellCut::None ||
+                       ConvexityTest::IsConvex(solid, ids, points, plan.Inverted ? -1.0 : 1.0);
+    plan.NonConvex = !whole;
+    plan.Fate = whole ? ConvexCellPlan::Whole : ConvexCellPlan::Tetrahedra;
+    plan.Dropped = whole ? 0 : plan.Dropped;
+  }
+  plan.Folded =
+    plan.Fate == ConvexCellPlan::Tetrahedra && plan.Turned != 0 && plan.Turned != plan.Kept;
+  if (plan.Folded)
+  {
+    Unfold(shape, ids, points, plan);
   }
   return plan;
+}
+
+void BeginConvexCell(
+  int type, vtkIdType sourceCell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor)
+{
+  arrays.Types[cursor.Cell] = static_cast<unsigned char>(type);
+  arrays.Offsets[cursor.Cell] = cursor.Id;
+  arrays.SourceCells[cursor.Cell] = sourceCell;
+  ++cursor.Cell;
 }
 
 void SkipConvexCell(const ConvexCellPlan& plan, Shape shape, ConvexCellCursor& cursor)
@@ -116,7 +147,7 @@ void SkipConvexCell(const ConvexCellPlan& plan, Shape shape, ConvexCellCursor& c
   }
   else if (plan.Fate == ConvexCellPlan::Tetrahedra)
   {
-    const auto count = static_cast<vtkIdType>(std::bitset<8>(plan.Kept).count());
+    const auto count = static_cast<vtkIdType>(std::bitset<32>(plan.Kept).count());
     cursor.Cell += count;
     cursor.Id += 4 * count;
   }
@@ -134,7 +165,7 @@ void WriteConvexCell(const ConvexCellPlan& plan, Shape shape, const vtkIdType* i
   }
   if (plan.Fate == ConvexCellPlan::Whole)
   {
-    BeginCell(VTKType(shape), sourceCell, arrays, cursor);
+    BeginConvexCell(VTKType(shape), sourceCell, arrays, cursor);
     for (int i = 0; i < count; ++i)
     {
       const int vertex = plan.Inverted ? TetrahedralSplit::TurnedVertex(shape, i) : i;
@@ -142,12 +173,12 @@ void WriteConvexCell(const ConvexCellPlan& plan, Shape shape, const vtkIdType* i
     }
     return;
   }
-  const Pieces pieces = TetrahedralSplit::Split(shape, ids);
+  const Pieces pieces = TetrahedralSplit::Split(shape, ids, plan.Apex);
   for (int piece = 0; piece < pieces.Count; ++piece)
   {
     if (plan.Kept >> piece & 1)
     {
-      BeginCell(VTK_TETRA, sourceCell, arrays, cursor);
+      BeginConvexCell(VTK_TETRA, sourceCell, arrays, cursor);
       WritePiece(pieces.Vertex[piece], plan.Turned >> piece & 1, named, arrays, cursor);
     }
   }

@@ -3,12 +3,15 @@
  * cut into tetrahedra, or dropped for want of a volume. Plan first, count, then write in place.
  *
  * A cell is inverted where the sum of its tetrahedra is negative, and folded where they have both
- * signs. The decision is per cell; neighbours agree because TetrahedralSplit does.
+ * signs from whichever corner it is seen. The decision is per cell; neighbours agree because
+ * TetrahedralSplit does. Polyhedra: PolyhedronPlan.
  */
 #ifndef ConvexCellPlan_h
 #define ConvexCellPlan_h
 
 #include "TetrahedralSplit.h"
+
+#include <cstdint>
 
 struct ConvexCellPlan
 {
@@ -17,18 +20,24 @@ struct ConvexCellPlan
     Whole,      // goes out as the cell it is
     Tetrahedra, // goes out as its tetrahedra
     ZeroVolume, // nothing of it is left
-    OtherType,  // not a shape that is handled here
-    Ghost,      // the rest is refused before it gets here, by the owner of the mesh
+    Open,       // a polyhedron whose faces do not close
+    SeveralPieces,
+    Concave,   // a polyhedron that no corner sees all of
+    WrongList, // a polyhedron with a face list that does not fit
+    OtherType, // not a shape that is handled here
+    Ghost,     // the rest is refused before it gets here, by the owner of the mesh
     NonFinite,
     Imaginary, // sorts, but has nothing to draw
     Invalid
   };
   FateType Fate = Invalid;
-  unsigned char Kept = 0;    // bit i: piece i of the split has a volume
-  unsigned char Turned = 0;  // bit i: piece i is inside out
-  unsigned char Dropped = 0; // pieces without a volume
   bool Inverted = false;
   bool Folded = false;
+  bool NonConvex = false;   // and cut for that
+  int Apex = -1;            // the corner that the tetrahedra share, where it is not the usual one
+  int Dropped = 0;          // pieces without a volume
+  std::uint32_t Kept = 0;   // bit i: piece i of the split has a volume
+  std::uint32_t Turned = 0; // bit i: piece i is inside out
 };
 
 /** Where the next cell is written; advanced by WriteConvexCell. */
@@ -38,7 +47,8 @@ struct ConvexCellCursor
   vtkIdType Id = 0;
 };
 
-/** The output arrays, each long enough: one entry per cell, Offsets one more. */
+/** The output arrays, each long enough: one entry per cell, Offsets one more. The ids of a
+ *  polyhedron are its face stream. */
 struct ConvexCellArrays
 {
   unsigned char* Types;
@@ -47,12 +57,18 @@ struct ConvexCellArrays
   vtkIdType* SourceCells;
 };
 
-/**
- * `ids`: merged point ids in VTK's order of the shape; `points`: their coordinates, all finite; may
- * be scaled here. Whole cells that repeat a point are cut into tetrahedra in either mode.
- */
+/** Which cells are cut. Those that repeat a point are, in any case. */
+enum class ConvexCellCut
+{
+  None,      // those of a type that is convex by itself
+  NonConvex, // those that ConvexityTest finds
+  All
+};
+
+/** `ids`: merged point ids in VTK's order of the shape; `points`: their coordinates, all finite;
+ * may be scaled here. */
 ConvexCellPlan PlanConvexCell(
-  TetrahedralSplit::Shape shape, const vtkIdType* ids, double (*points)[3], bool tetrahedraOnly);
+  TetrahedralSplit::Shape shape, const vtkIdType* ids, double (*points)[3], ConvexCellCut cut);
 
 /** Moves the cursor past what WriteConvexCell would write. */
 void SkipConvexCell(
@@ -62,5 +78,9 @@ void SkipConvexCell(
 void WriteConvexCell(const ConvexCellPlan& plan, TetrahedralSplit::Shape shape,
   const vtkIdType* ids, const vtkIdType* outputIds, vtkIdType sourceCell,
   const ConvexCellArrays& arrays, ConvexCellCursor& cursor);
+
+/** Begins a cell in the arrays; its ids are to follow. */
+void BeginConvexCell(
+  int type, vtkIdType sourceCell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor);
 
 #endif

@@ -1,81 +1,54 @@
 #include "TetrahedralSplit.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace
 {
-using TetrahedralSplit::Pieces;
-using TetrahedralSplit::Shape;
+using namespace TetrahedralSplit;
 
-struct Face
+template <int Faces, int Corners>
+struct Table
 {
-  int Size;
-  unsigned char Vertex[4];
+  int FaceOffsets[Faces + 1];
+  int FaceVertices[Corners];
 };
 
-struct Solid
+// VTK's wedge has its first triangle facing outward, unlike its tetrahedron.
+constexpr Table<4, 12> TetrahedronFaces = { { 0, 3, 6, 9, 12 },
+  { 0, 1, 3, 1, 2, 3, 2, 0, 3, 0, 2, 1 } };
+constexpr Table<5, 16> PyramidFaces = { { 0, 4, 7, 10, 13, 16 },
+  { 0, 3, 2, 1, 0, 1, 4, 1, 2, 4, 2, 3, 4, 3, 0, 4 } };
+constexpr Table<5, 18> WedgeFaces = { { 0, 3, 6, 10, 14, 18 },
+  { 0, 1, 2, 3, 5, 4, 0, 3, 4, 1, 1, 4, 5, 2, 2, 5, 3, 0 } };
+constexpr Table<6, 24> HexahedronFaces = { { 0, 4, 8, 12, 16, 20, 24 },
+  { 0, 4, 7, 3, 1, 2, 6, 5, 0, 1, 5, 4, 3, 7, 6, 2, 0, 3, 2, 1, 4, 5, 6, 7 } };
+constexpr Table<7, 30> PentagonalPrismFaces = { { 0, 5, 10, 14, 18, 22, 26, 30 },
+  { 0, 4, 3, 2, 1, 5, 6, 7, 8, 9, 0, 1, 6, 5, 1, 2, 7, 6, 2, 3, 8, 7, 3, 4, 9, 8, 4, 0, 5, 9 } };
+constexpr Table<8, 36> HexagonalPrismFaces = { { 0, 6, 12, 16, 20, 24, 28, 32, 36 },
+  { 0, 5, 4, 3, 2, 1, 6, 7, 8, 9, 10, 11, 0, 1, 7, 6, 1, 2, 8, 7, 2, 3, 9, 8, 3, 4, 10, 9, 4, 5, 11,
+    10, 5, 0, 6, 11 } };
+
+template <int Faces, int Corners>
+constexpr Solid View(int vertices, const Table<Faces, Corners>& table)
 {
-  int NumberOfVertices;
-  int NumberOfFaces;
-  Face Faces[6];                // counter-clockwise from outside, as VTK's GetFace
-  unsigned char TurnedOrder[8]; // the mirror image's numbering
-};
+  return { vertices, Faces, table.FaceOffsets, table.FaceVertices };
+}
 
-// By Shape. VTK's wedge has its first triangle facing outward, unlike its tetrahedron.
-constexpr Solid Solids[] = {
-  { 4, 4, { { 3, { 0, 1, 3 } }, { 3, { 1, 2, 3 } }, { 3, { 2, 0, 3 } }, { 3, { 0, 2, 1 } } },
-    { 0, 1, 3, 2 } },
-  { 5, 5,
-    { { 4, { 0, 3, 2, 1 } }, { 3, { 0, 1, 4 } }, { 3, { 1, 2, 4 } }, { 3, { 2, 3, 4 } },
-      { 3, { 3, 0, 4 } } },
-    { 0, 3, 2, 1, 4 } },
-  { 6, 5,
-    { { 3, { 0, 1, 2 } }, { 3, { 3, 5, 4 } }, { 4, { 0, 3, 4, 1 } }, { 4, { 1, 4, 5, 2 } },
-      { 4, { 2, 5, 3, 0 } } },
-    { 3, 4, 5, 0, 1, 2 } },
-  { 8, 6,
-    { { 4, { 0, 4, 7, 3 } }, { 4, { 1, 2, 6, 5 } }, { 4, { 0, 1, 5, 4 } }, { 4, { 3, 7, 6, 2 } },
-      { 4, { 0, 3, 2, 1 } }, { 4, { 4, 5, 6, 7 } } },
-    { 4, 5, 6, 7, 0, 1, 2, 3 } },
-};
+// By Shape, as all that follow.
+constexpr Solid Solids[] = { View(4, TetrahedronFaces), View(5, PyramidFaces), View(6, WedgeFaces),
+  View(8, HexahedronFaces), View(10, PentagonalPrismFaces), View(12, HexagonalPrismFaces) };
+
+// The mirror image's numbering.
+constexpr unsigned char TurnedOrder[][MaximumVertices] = { { 0, 1, 3, 2 }, { 0, 3, 2, 1, 4 },
+  { 3, 4, 5, 0, 1, 2 }, { 4, 5, 6, 7, 0, 1, 2, 3 }, { 5, 6, 7, 8, 9, 0, 1, 2, 3, 4 },
+  { 6, 7, 8, 9, 10, 11, 0, 1, 2, 3, 4, 5 } };
 
 // Of a hexahedron's vertex: the one across the cell, and the three next to it, such that vertex and
 // neighbours make a positive tetrahedron.
 constexpr unsigned char Antipode[8] = { 6, 7, 4, 5, 2, 3, 0, 1 };
 constexpr unsigned char Neighbours[8][3] = { { 1, 3, 4 }, { 2, 0, 5 }, { 3, 1, 6 }, { 0, 2, 7 },
   { 7, 5, 0 }, { 4, 6, 1 }, { 5, 7, 2 }, { 6, 4, 3 } };
-
-const Solid& SolidOf(Shape shape)
-{
-  return Solids[static_cast<int>(shape)];
-}
-
-bool Touches(const Face& face, int vertex)
-{
-  return face.Vertex[0] == vertex || face.Vertex[1] == vertex || face.Vertex[2] == vertex ||
-         (face.Size == 4 && face.Vertex[3] == vertex);
-}
-
-int SmallestVertex(const Solid& solid, const vtkIdType* ids)
-{
-  int smallest = 0;
-  for (int vertex = 1; vertex < solid.NumberOfVertices; ++vertex)
-  {
-    smallest = ids[vertex] < ids[smallest] ? vertex : smallest;
-  }
-  return smallest;
-}
-
-// Where in the face's list its diagonal starts; it ends two further on.
-int DiagonalStart(const Face& face, const vtkIdType* ids)
-{
-  int start = 0;
-  for (int position = 1; position < face.Size; ++position)
-  {
-    start = ids[face.Vertex[position]] < ids[face.Vertex[start]] ? position : start;
-  }
-  return start;
-}
 
 // Positive where abc, seen from a, b, c's far side, turns counter-clockwise.
 void AddTetrahedron(Pieces& pieces, int apex, int a, int b, int c)
@@ -87,44 +60,74 @@ void AddTetrahedron(Pieces& pieces, int apex, int a, int b, int c)
   vertex[3] = static_cast<unsigned char>(c);
 }
 
-// Joins the apex to the triangles of a face; those that touch `skipped` are left out.
-void AddFace(Pieces& pieces, int apex, const Face& face, const vtkIdType* ids, int skipped)
+int SmallestVertex(const Solid& solid, const vtkIdType* ids)
 {
-  const int start = face.Size == 4 ? DiagonalStart(face, ids) : 0;
-  for (int step = 1; step + 1 < face.Size; ++step)
-  {
-    const int a = face.Vertex[start];
-    const int b = face.Vertex[(start + step) % face.Size];
-    const int c = face.Vertex[(start + step + 1) % face.Size];
-    if (a != skipped && b != skipped && c != skipped)
-    {
-      AddTetrahedron(pieces, apex, a, b, c);
-    }
-  }
+  return static_cast<int>(std::min_element(ids, ids + solid.NumberOfVertices) - ids);
 }
 
-bool DiagonalEndsIn(int vertex, const vtkIdType* ids)
+// Of a hexahedron.
+bool DiagonalEndsIn(int vertex, const Solid& solid, const vtkIdType* ids)
 {
-  for (const Face& face : SolidOf(Shape::Hexahedron).Faces)
+  bool ends = false;
+  for (int face = 0; face < solid.NumberOfFaces && !ends; ++face)
   {
-    const int start = DiagonalStart(face, ids);
-    if (face.Vertex[start] == vertex || face.Vertex[(start + 2) % 4] == vertex)
+    if (solid.Touches(face, vertex))
     {
-      return true;
+      int uses = 0;
+      VisitTriangles(solid, face, ids,
+        [&](int a, int b, int c) { uses += a == vertex || b == vertex || c == vertex; });
+      ends = uses == 2;
     }
   }
-  return false;
+  return ends;
+}
+
+// |(b - a) x (c - a)|
+double Area(const double a[3], const double b[3], const double c[3])
+{
+  double u[3], v[3];
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    u[axis] = b[axis] - a[axis];
+    v[axis] = c[axis] - a[axis];
+  }
+  const double x = u[1] * v[2] - u[2] * v[1];
+  const double y = u[2] * v[0] - u[0] * v[2];
+  const double z = u[0] * v[1] - u[1] * v[0];
+  return std::sqrt(x * x + y * y + z * z);
+}
+
+// `strict`: from its own faces the apex makes no tetrahedra.
+bool SeesAll(const Solid& solid, const vtkIdType* ids, const double (*points)[3], double sign,
+  int apex, bool strict)
+{
+  const double flat = FlatnessTolerance * SizeOf(points, solid.NumberOfVertices);
+  bool all = true, any = false;
+  VisitCone(solid, ids, apex,
+    [&](int face, int a, int b, int c)
+    {
+      const double volume = sign * SixVolumes(points[apex], points[a], points[b], points[c]);
+      const bool behind = volume < 0.0 && -volume > flat * Area(points[a], points[b], points[c]);
+      all = all && !behind && !(strict && solid.Touches(face, apex));
+      any = any || volume > 0.0;
+    });
+  return all && any;
 }
 }
 
 namespace TetrahedralSplit
 {
+const Solid& SolidOf(Shape shape)
+{
+  return Solids[static_cast<int>(shape)];
+}
+
 int NumberOfVertices(Shape shape)
 {
   return SolidOf(shape).NumberOfVertices;
 }
 
-Pieces Split(Shape shape, const vtkIdType* ids)
+Pieces Split(Shape shape, const vtkIdType* ids, int chosenApex)
 {
   Pieces pieces;
   if (shape == Shape::Tetrahedron)
@@ -133,28 +136,49 @@ Pieces Split(Shape shape, const vtkIdType* ids)
     return pieces;
   }
   const Solid& solid = SolidOf(shape);
-  const int apex = SmallestVertex(solid, ids);
+  const int apex = chosenApex < 0 ? SmallestVertex(solid, ids) : chosenApex;
   int corner = -1;
-  if (shape == Shape::Hexahedron && !DiagonalEndsIn(Antipode[apex], ids))
+  if (shape == Shape::Hexahedron && chosenApex < 0 && !DiagonalEndsIn(Antipode[apex], solid, ids))
   {
     corner = Antipode[apex];
     const unsigned char* next = Neighbours[corner];
     AddTetrahedron(pieces, corner, next[0], next[1], next[2]);
     AddTetrahedron(pieces, apex, next[0], next[2], next[1]);
   }
-  for (int index = 0; index < solid.NumberOfFaces; ++index)
-  {
-    if (!Touches(solid.Faces[index], apex))
+  VisitCone(solid, ids, apex,
+    [&](int, int a, int b, int c)
     {
-      AddFace(pieces, apex, solid.Faces[index], ids, corner);
-    }
-  }
+      if (a != corner && b != corner && c != corner)
+      {
+        AddTetrahedron(pieces, apex, a, b, c);
+      }
+    });
   return pieces;
 }
 
 int TurnedVertex(Shape shape, int position)
 {
-  return SolidOf(shape).TurnedOrder[position];
+  return TurnedOrder[static_cast<int>(shape)][position];
+}
+
+int FindApex(const Solid& solid, const vtkIdType* ids, const double (*points)[3], double sign)
+{
+  const int smallest = SmallestVertex(solid, ids);
+  if (SeesAll(solid, ids, points, sign, smallest, false))
+  {
+    return smallest;
+  }
+  for (const bool strict : { true, false })
+  {
+    for (int apex = 0; apex < solid.NumberOfVertices; ++apex)
+    {
+      if (SeesAll(solid, ids, points, sign, apex, strict))
+      {
+        return apex;
+      }
+    }
+  }
+  return -1;
 }
 
 double SixVolumes(const double a[3], const double b[3], const double c[3], const double d[3])
@@ -171,5 +195,39 @@ double SixVolumes(const double a[3], const double b[3], const double c[3], const
                            std::abs(dz) * (std::abs(bxcy) + std::abs(bycx));
   constexpr double bound = 7.771561172376103e-16; // (7 + 56 e) e with e = 2^-53
   return std::abs(determinant) > bound * permanent ? determinant : 0.0;
+}
+
+void ScaleIfExtreme(double (*points)[3], int count)
+{
+  double largest = 0.0;
+  for (int i = 0; i < 3 * count; ++i)
+  {
+    largest = std::max(largest, std::abs(points[i / 3][i % 3]));
+  }
+  if (largest == 0.0 || (largest > 1e-60 && largest < 1e60))
+  {
+    return;
+  }
+  const int exponent = -std::ilogb(largest);
+  for (int i = 0; i < 3 * count; ++i)
+  {
+    points[i / 3][i % 3] = std::scalbn(points[i / 3][i % 3], exponent);
+  }
+}
+
+double SizeOf(const double (*points)[3], int count)
+{
+  double squared = 0.0;
+  for (int axis = 0; axis < 3 && count > 0; ++axis)
+  {
+    double low = points[0][axis], high = low;
+    for (int i = 1; i < count; ++i)
+    {
+      low = std::min(low, points[i][axis]);
+      high = std::max(high, points[i][axis]);
+    }
+    squared += (high - low) * (high - low);
+  }
+  return std::sqrt(squared);
 }
 }

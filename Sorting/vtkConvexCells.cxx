@@ -110,6 +110,13 @@ std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* i
   add(cells ? static_cast<vtkObject*>(cells) : input);
   add(cells ? cells->GetOffsetsArray() : nullptr);
   add(cells ? cells->GetConnectivityArray() : nullptr);
+  if (grid)
+  {
+    for (vtkObject* faces : GetFaceArrays(grid))
+    {
+      add(faces);
+    }
+  }
   const char* ghosts = vtkDataSetAttributes::GhostArrayName();
   add(input->GetPointData()->GetArray(ghosts));
   add(input->GetCellData()->GetArray(ghosts));
@@ -124,6 +131,7 @@ void vtkConvexCells::TakeCounts(const ConvexCellCounts& counts)
   this->NumberOfDroppedTetrahedra = counts.DroppedTetrahedra;
   this->NumberOfInvertedCells = counts.InvertedCells;
   this->NumberOfFoldedCells = counts.FoldedCells;
+  this->NumberOfNonConvexCells = counts.NonConvexCells;
   this->NumberOfSkippedCells = counts.SkippedCells;
   this->NumberOfZeroVolumeCells = counts.ZeroVolumeCells;
   this->NumberOfLowerDimensionalCells = counts.LowerDimensionalCells;
@@ -131,6 +139,7 @@ void vtkConvexCells::TakeCounts(const ConvexCellCounts& counts)
   this->NumberOfGhostCells = counts.GhostCells;
   this->NumberOfNonFiniteCells = counts.NonFiniteCells;
   this->NumberOfImaginaryCells = counts.ImaginaryCells;
+  this->NumberOfConcaveCells = counts.ConcaveCells;
   this->NumberOfInvalidCells = counts.InvalidCells;
   this->LeftOutSummary = counts.LeftOutSummary;
 }
@@ -144,6 +153,7 @@ void vtkConvexCells::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "NumberOfDroppedTetrahedra: " << this->NumberOfDroppedTetrahedra << "\n"
      << indent << "NumberOfInvertedCells: " << this->NumberOfInvertedCells << "\n"
      << indent << "NumberOfFoldedCells: " << this->NumberOfFoldedCells << "\n"
+     << indent << "NumberOfNonConvexCells: " << this->NumberOfNonConvexCells << "\n"
      << indent << "NumberOfSkippedCells: " << this->NumberOfSkippedCells << "\n"
      << indent << "LeftOutSummary: " << this->LeftOutSummary << "\n";
 }

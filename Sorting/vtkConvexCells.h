@@ -2,16 +2,34 @@
  * @class   vtkConvexCells
  * @brief   any cells to convex cells or to conforming tetrahedra
  *
- * Takes tetrahedra, voxels, hexahedra, wedges and pyramids of any unstructured grid, in any
- * numbering and winding, and gives cells that the rest of this module can rely on: coincident
- * points are one point, every cell has a volume and faces outward by VTK's convention.
+ * Takes tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal prisms and
+ * polyhedra of any unstructured grid, in any numbering and winding, and gives cells that the rest
+ * of this module can rely on: coincident points are one point, every cell has a volume and faces
+ * outward by VTK's convention.
  *
- * - Default: cells go out as they are; voxels as hexahedra; a cell that repeats a point, as the
- *   tetrahedra that are left of it.
+ * - Default: cells that are convex go out as they are, voxels as hexahedra; those that are not, and
+ *   those that repeat a point, as their tetrahedra.
  * - TetrahedraOnly: every cell is split from its smallest point id (Dompierre et al., How to
  *   Subdivide Pyramids, Prisms and Hexahedra into Tetrahedra, 1999), so that neighbours agree on
- *   every face: 5 or 6 tetrahedra per hexahedron, 3 per wedge, 2 per pyramid. A lattice in its
- *   natural numbering gives 6. det(p1 - p0, p2 - p0, p3 - p0) > 0 for each.
+ *   every face: 5 or 6 tetrahedra per hexahedron, 3 per wedge, 2 per pyramid, 9 per pentagonal and
+ *   12 per hexagonal prism. A lattice in its natural numbering gives 6.
+ *   det(p1 - p0, p2 - p0, p3 - p0) > 0 for each.
+ *
+ * A face is a fan of triangles from its smallest point id, in both. A cell is convex where for each
+ * of its faces the normals of these triangles are within 60 degrees of each other, every corner off
+ * the face lies inside the plane of each triangle within 1e-9 of the cell's size, and a face of
+ * five or more corners is planar within 1e-6 of its size: hexahedra with slightly warped faces stay
+ * whole. Tetrahedra and voxels are not tested.
+ *
+ * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners
+ * where one sees the whole surface; the triangles of its faces stay as they are. If there is none,
+ * it is counted as folded and its tetrahedra, all turned positive, overlap; a polyhedron is left
+ * out as concave instead. A face that is not convex must be seen whole from its smallest id, too.
+ *
+ * Polyhedra: each face may be wound either way; points that a face repeats in a row are taken once.
+ * Left out are those of which a list of faces has a wrong length, names a point that does not exist
+ * or a face of fewer than three points; whose surface is open (an edge that does not belong to
+ * exactly two faces, or a surface of one side); which are in several pieces; or concave as above.
  *
  * Points at exactly the same coordinates are merged to the one of smallest id, whose data they
  * take; points that are not finite or hidden are removed, the others keep their order and
@@ -23,11 +41,12 @@
  * the input's cell. (An input array of that name is replaced. Global ids of cells are carried, but
  * no longer marked as such once cells are split.)
  *
- * Left out and counted, without a warning: cells of dimension 0 to 2, types not listed above, ghost
- * cells (vtkGhostType DUPLICATECELL or HIDDENCELL, or a HIDDENPOINT), cells that touch a point that
- * is not finite, cells whose point list does not fit their type or names a point that does not
- * exist. GetLeftOutSummary() says it in one line. Nothing in the input is an error: empty gives
- * empty. An aborted update leaves the output empty.
+ * Left out and counted, without a warning: cells of dimension 0 to 2, types not listed above
+ * (vtkDataSetTriangleFilter makes tetrahedra of quadratic and higher-order cells and of convex
+ * point sets), ghost cells (vtkGhostType DUPLICATECELL or HIDDENCELL, or a HIDDENPOINT), cells that
+ * touch a point that is not finite, cells whose point list does not fit their type or names a point
+ * that does not exist. GetLeftOutSummary() says it in one line. Nothing in the input is an error:
+ * empty gives empty. An aborted update leaves the output empty.
  *
  * Cells whose cell array `Imaginary` (unsigned char) is 1 fill gaps for a sort and have nothing to
  * draw: they and that array are left out, and counted apart.
@@ -35,10 +54,10 @@
  * Where only data change and points and cells do not, the output keeps its points and cells: their
  * GetMTime() says whether the geometry is new.
  *
- * Not guaranteed: warped faces and hexahedra that are not convex are not detected, save that cells
- * whose tetrahedra have both signs are counted as folded (their tetrahedra, all turned positive,
- * overlap). Coincident points with different data are not told apart: the smallest id wins. A flat
- * tetrahedron that is dropped can leave two cells facing each other with different diagonals.
+ * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
+ * different data are not told apart: the smallest id wins. A flat tetrahedron that is dropped can
+ * leave two cells facing each other with different diagonals. In the default mode a cell of the
+ * output may meet tetrahedra across a face: they are its face's triangles.
  */
 
 #ifndef vtkConvexCells_h
@@ -89,14 +108,20 @@ public:
   vtkGetMacro(NumberOfDroppedTetrahedra, vtkIdType);
 
   /**
-   * Cells of negative volume in the input, turned in the output.
+   * Cells of negative volume in the input, and polyhedra with a face that was wound inward; turned
+   * in the output.
    */
   vtkGetMacro(NumberOfInvertedCells, vtkIdType);
 
   /**
-   * Cells whose tetrahedra have both signs.
+   * Cells that were split into tetrahedra of both signs, for want of a better corner.
    */
   vtkGetMacro(NumberOfFoldedCells, vtkIdType);
+
+  /**
+   * Cells that were split because they are not convex; 0 with TetrahedraOnly, where none is tested.
+   */
+  vtkGetMacro(NumberOfNonConvexCells, vtkIdType);
 
   // === What it left out ===
 
@@ -136,13 +161,19 @@ public:
   vtkGetMacro(NumberOfImaginaryCells, vtkIdType);
 
   /**
-   * Cells with a wrong number of points, or with a point that does not exist.
+   * Polyhedra that no corner sees all of.
+   */
+  vtkGetMacro(NumberOfConcaveCells, vtkIdType);
+
+  /**
+   * Cells with a wrong number of points, or with a point that does not exist; polyhedra with a list
+   * of faces that does not fit, with an open surface, or in several pieces.
    */
   vtkGetMacro(NumberOfInvalidCells, vtkIdType);
 
   /**
    * One line that names what was left out, by kind and number, such as
-   * "cells left out: 1 vtkTriangle (2-D), 3 vtkPolyhedron (not supported), 2 ghost or hidden"; else
+   * "cells left out: 1 vtkTriangle (2-D), 3 vtkPolyhedron (open surface), 2 ghost or hidden"; else
    * empty.
    */
   std::string GetLeftOutSummary() const { return this->LeftOutSummary; }
@@ -170,6 +201,7 @@ private:
   vtkIdType NumberOfDroppedTetrahedra = 0;
   vtkIdType NumberOfInvertedCells = 0;
   vtkIdType NumberOfFoldedCells = 0;
+  vtkIdType NumberOfNonConvexCells = 0;
   vtkIdType NumberOfSkippedCells = 0;
   vtkIdType NumberOfZeroVolumeCells = 0;
   vtkIdType NumberOfLowerDimensionalCells = 0;
@@ -177,6 +209,7 @@ private:
   vtkIdType NumberOfGhostCells = 0;
   vtkIdType NumberOfNonFiniteCells = 0;
   vtkIdType NumberOfImaginaryCells = 0;
+  vtkIdType NumberOfConcaveCells = 0;
   vtkIdType NumberOfInvalidCells = 0;
   std::string LeftOutSummary;
 

@@ -3,6 +3,7 @@
 #define ConvexCellsTesting_h
 
 #include "vtkCell.h"
+#include "vtkCellType.h"
 #include "vtkConvexCells.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
@@ -36,12 +37,14 @@ inline bool Check(bool holds, const char* file, int line, const char* what)
 }
 
 template <typename A, typename B>
-void CheckEqual(const A& found, const B& expected, const char* file, int line, const char* what)
+bool CheckEqual(const A& found, const B& expected, const char* file, int line, const char* what)
 {
-  if (!Check(found == static_cast<A>(expected), file, line, what) && Failures() <= 20)
+  const bool holds = Check(found == static_cast<A>(expected), file, line, what);
+  if (!holds && Failures() <= 20)
   {
     std::cerr << "  found " << found << ", expected " << expected << "\n";
   }
+  return holds;
 }
 
 inline int Result()
@@ -67,6 +70,30 @@ inline vtkSmartPointer<vtkUnstructuredGrid> MakeGrid(
 inline void AddCell(vtkUnstructuredGrid* grid, int type, const std::vector<vtkIdType>& ids)
 {
   grid->InsertNextCell(type, static_cast<vtkIdType>(ids.size()), ids.data());
+}
+
+using Faces = std::vector<std::vector<vtkIdType>>;
+
+inline void AddPolyhedron(vtkUnstructuredGrid* grid, const Faces& faces)
+{
+  vtkNew<vtkIdList> stream;
+  stream->InsertNextId(static_cast<vtkIdType>(faces.size()));
+  for (const auto& face : faces)
+  {
+    stream->InsertNextId(static_cast<vtkIdType>(face.size()));
+    for (vtkIdType id : face)
+    {
+      stream->InsertNextId(id);
+    }
+  }
+  grid->InsertNextCell(VTK_POLYHEDRON, stream);
+}
+
+// Of a hexahedron's corners in VTK's order, outward.
+inline Faces BoxFaces(const std::vector<vtkIdType>& c)
+{
+  return { { c[0], c[4], c[7], c[3] }, { c[1], c[2], c[6], c[5] }, { c[0], c[1], c[5], c[4] },
+    { c[3], c[7], c[6], c[2] }, { c[0], c[3], c[2], c[1] }, { c[4], c[5], c[6], c[7] } };
 }
 
 inline vtkSmartPointer<vtkConvexCells> Run(vtkDataObject* input, bool tetrahedraOnly)
@@ -121,6 +148,53 @@ inline double TotalVolume(vtkUnstructuredGrid* grid)
     total += volume > 0.0 && grid->GetCellType(cell) == VTK_TETRA ? volume : std::nan("");
   }
   return total;
+}
+
+// Of any cell, by the faces that VTK gives, each a fan from its smallest id; negative where the
+// faces are wound inward.
+inline double VolumeWithin(vtkCell* cell)
+{
+  Point origin, a, b, c;
+  cell->GetPoints()->GetPoint(0, origin.data());
+  double volume = 0.0;
+  for (int index = 0; index < cell->GetNumberOfFaces(); ++index)
+  {
+    vtkCell* face = cell->GetFace(index);
+    const auto count = static_cast<int>(face->GetNumberOfPoints());
+    int start = 0;
+    for (int i = 1; i < count; ++i)
+    {
+      start = face->GetPointId(i) < face->GetPointId(start) ? i : start;
+    }
+    face->GetPoints()->GetPoint(start, a.data());
+    for (int i = 1; i + 1 < count; ++i)
+    {
+      face->GetPoints()->GetPoint((start + i) % count, b.data());
+      face->GetPoints()->GetPoint((start + i + 1) % count, c.data());
+      volume += Dot(Cross(Minus(a, origin), Minus(b, origin)), Minus(c, origin)) / 6.0;
+    }
+  }
+  return volume;
+}
+
+inline double VolumeWithin(vtkUnstructuredGrid* grid)
+{
+  double volume = 0.0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    volume += VolumeWithin(grid->GetCell(cell));
+  }
+  return volume;
+}
+
+inline vtkIdType CountType(vtkUnstructuredGrid* grid, int type)
+{
+  vtkIdType count = 0;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    count += grid->GetCellType(cell) == type;
+  }
+  return count;
 }
 
 inline Point Middle(vtkPoints* points)

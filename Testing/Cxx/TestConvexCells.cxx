@@ -176,7 +176,8 @@ void TestLeftOut(bool tetrahedraOnly)
   CheckCellData(output);
   CHECK_EQUAL(filter->GetLeftOutSummary(),
     std::string("cells left out: 1 vtkEmptyCell (0-D), 1 vtkVertex (0-D), 1 vtkLine (1-D), "
-                "1 vtkTriangle (2-D), 1 vtkQuadraticTetra (not supported), 1 of zero volume, "
+                "1 vtkTriangle (2-D), 1 vtkQuadraticTetra (not linear: vtkDataSetTriangleFilter "
+                "makes tetrahedra of it), 1 of zero volume, "
                 "1 ghost or hidden, 2 with a point that is not finite"));
 }
 

@@ -93,6 +93,11 @@ void AddCube(Mesh& mesh, const Ids& c, bool wedges, unsigned int choice)
     mesh.Types.push_back(VTK_HEXAHEDRON); // inside out
     mesh.Cells.push_back({ c[4], c[5], c[6], c[7], c[0], c[1], c[2], c[3] });
   }
+  else if (choice == 3)
+  {
+    mesh.Types.push_back(VTK_POLYHEDRON);
+    mesh.Cells.push_back(c);
+  }
   else
   {
     mesh.Types.push_back(VTK_HEXAHEDRON); // on its side
@@ -114,7 +119,7 @@ Mesh MakeMesh(std::mt19937& random)
         const Ids corners = { LatticeId(i, j, k), LatticeId(i + 1, j, k),
           LatticeId(i + 1, j + 1, k), LatticeId(i, j + 1, k), LatticeId(i, j, k + 1),
           LatticeId(i + 1, j, k + 1), LatticeId(i + 1, j + 1, k + 1), LatticeId(i, j + 1, k + 1) };
-        AddCube(mesh, corners, wedges, random() % 4);
+        AddCube(mesh, corners, wedges, random() % 5);
       }
     }
   }
@@ -192,7 +197,16 @@ void TestMesh(const Mesh& mesh, std::size_t distinctPoints, int precision)
   auto grid = MakeGrid(mesh.Points, precision);
   for (std::size_t cell = 0; cell < mesh.Cells.size(); ++cell)
   {
-    AddCell(grid, mesh.Types[cell], mesh.Cells[cell]);
+    if (mesh.Types[cell] == VTK_POLYHEDRON)
+    {
+      Faces faces = BoxFaces(mesh.Cells[cell]);
+      std::reverse(faces[cell % 6].begin(), faces[cell % 6].end());
+      AddPolyhedron(grid, faces);
+    }
+    else
+    {
+      AddCell(grid, mesh.Types[cell], mesh.Cells[cell]);
+    }
   }
   auto filter = Run(grid, true);
   vtkUnstructuredGrid* output = filter->GetOutput();
@@ -207,6 +221,10 @@ void TestMesh(const Mesh& mesh, std::size_t distinctPoints, int precision)
 
   auto whole = Run(grid, false);
   CHECK_EQUAL(whole->GetOutput()->GetNumberOfCells(), grid->GetNumberOfCells());
+  CHECK_EQUAL(whole->GetNumberOfNonConvexCells(), 0);
+  CHECK_EQUAL(CountType(whole->GetOutput(), VTK_POLYHEDRON), CountType(grid, VTK_POLYHEDRON));
+  CHECK(CountType(grid, VTK_POLYHEDRON) > 0);
+  CHECK(Near(VolumeWithin(whole->GetOutput()), Size * Size * Size, 1e-6));
   CHECK_EQUAL(whole->GetNumberOfInvertedCells(), filter->GetNumberOfInvertedCells());
   for (vtkIdType cell = 0; cell < whole->GetOutput()->GetNumberOfCells(); ++cell)
   {

@@ -1,5 +1,5 @@
-// Every numbering of a hexahedron, wedge and pyramid: the tetrahedra are positive, fill the cell,
-// and cut each quadrilateral along the diagonal from its smallest id.
+// Every numbering of a hexahedron, wedge and pyramid, and some of prisms: the tetrahedra are
+// positive, fill the cell, and cut each quadrilateral along the diagonal from its smallest id.
 #include "ConvexCellsTesting.h"
 #include "TetrahedralSplit.h"
 
@@ -9,6 +9,7 @@
 #include <limits>
 #include <map>
 #include <numeric>
+#include <random>
 
 namespace
 {
@@ -108,27 +109,92 @@ double SixVolumes(const Model& model, const unsigned char* v)
     p[v[0]].data(), p[v[1]].data(), p[v[2]].data(), p[v[3]].data());
 }
 
+// Returns the number of tetrahedra.
+int TestNumbering(const Model& model, const std::vector<vtkIdType>& ids)
+{
+  const Pieces pieces = TetrahedralSplit::Split(model.CellShape, ids.data());
+  double sum = 0.0;
+  for (int piece = 0; piece < pieces.Count; ++piece)
+  {
+    const double volume = SixVolumes(model, pieces.Vertex[piece]) / 6.0;
+    CHECK(volume > 0.0);
+    sum += volume;
+  }
+  CHECK(ConvexCellsTesting::Near(sum, model.Volume));
+  CHECK(BoundaryOf(pieces) == ExpectedBoundary(model, ids));
+  return pieces.Count;
+}
+
+std::vector<vtkIdType> NaturalIds(const Model& model)
+{
+  std::vector<vtkIdType> ids(model.Points.size());
+  std::iota(ids.begin(), ids.end(), vtkIdType{ 100 });
+  return ids;
+}
+
 // How many numberings gave how many tetrahedra.
 std::map<int, int> TestEveryNumbering(const Model& model)
 {
   std::map<int, int> numbers;
-  std::vector<vtkIdType> ids(model.Points.size());
-  std::iota(ids.begin(), ids.end(), vtkIdType{ 100 });
+  std::vector<vtkIdType> ids = NaturalIds(model);
   do
   {
-    const Pieces pieces = TetrahedralSplit::Split(model.CellShape, ids.data());
+    ++numbers[TestNumbering(model, ids)];
+  } while (std::next_permutation(ids.begin(), ids.end()));
+  return numbers;
+}
+
+// A prism has too many numberings to try them all.
+std::map<int, int> TestRandomNumberings(const Model& model, int count)
+{
+  std::map<int, int> numbers;
+  std::mt19937 random(7);
+  std::vector<vtkIdType> ids = NaturalIds(model);
+  for (int i = 0; i < count; ++i)
+  {
+    std::shuffle(ids.begin(), ids.end(), random);
+    ++numbers[TestNumbering(model, ids)];
+  }
+  return numbers;
+}
+
+// VTK's parametric prism stands on z = 0 and is 1 high.
+Model MakePrism(Shape shape, int type)
+{
+  Model model = MakeModel(shape, type, 0.0);
+  const std::size_t corners = model.Points.size() / 2;
+  for (std::size_t i = 0; i < corners; ++i)
+  {
+    const Point& p = model.Points[i];
+    const Point& q = model.Points[(i + 1) % corners];
+    CHECK(p[2] == model.Points[0][2] && std::abs(model.Points[i + corners][2] - p[2]) == 1.0);
+    model.Volume += (p[0] * q[1] - p[1] * q[0]) / 2.0;
+  }
+  model.Volume = std::abs(model.Volume);
+  return model;
+}
+
+// From any corner of a convex cell; where the usual one is behind a face, from another.
+void TestApex(const Model& model)
+{
+  const auto& solid = TetrahedralSplit::SolidOf(model.CellShape);
+  const std::vector<vtkIdType> ids = NaturalIds(model);
+  std::vector<Point> points = model.Points;
+  auto* coordinates = reinterpret_cast<double(*)[3]>(points.data());
+  CHECK_EQUAL(TetrahedralSplit::FindApex(solid, ids.data(), coordinates), 0);
+  CHECK_EQUAL(TetrahedralSplit::FindApex(solid, ids.data(), coordinates, -1.0), -1);
+  for (int apex = 0; apex < solid.NumberOfVertices; ++apex)
+  {
+    const Pieces pieces = TetrahedralSplit::Split(model.CellShape, ids.data(), apex);
+    CHECK(pieces.Count <= TetrahedralSplit::MaximumPieces);
     double sum = 0.0;
     for (int piece = 0; piece < pieces.Count; ++piece)
     {
-      const double volume = SixVolumes(model, pieces.Vertex[piece]) / 6.0;
-      CHECK(volume > 0.0);
-      sum += volume;
+      sum += SixVolumes(model, pieces.Vertex[piece]) / 6.0;
     }
     CHECK(ConvexCellsTesting::Near(sum, model.Volume));
     CHECK(BoundaryOf(pieces) == ExpectedBoundary(model, ids));
-    ++numbers[pieces.Count];
-  } while (std::next_permutation(ids.begin(), ids.end()));
-  return numbers;
+  }
 }
 
 void TestTurned(const Model& model)
@@ -174,9 +240,14 @@ int TestTetrahedralSplit(int, char*[])
   CHECK((TestEveryNumbering(wedge) == std::map<int, int>{ { 3, 720 } }));
   CHECK((TestEveryNumbering(pyramid) == std::map<int, int>{ { 2, 120 } }));
   CHECK((TestEveryNumbering(tetrahedron) == std::map<int, int>{ { 1, 24 } }));
-  for (const Model& model : { hexahedron, wedge, pyramid, tetrahedron })
+  const Model pentagonal = MakePrism(Shape::PentagonalPrism, VTK_PENTAGONAL_PRISM);
+  const Model hexagonal = MakePrism(Shape::HexagonalPrism, VTK_HEXAGONAL_PRISM);
+  CHECK((TestRandomNumberings(pentagonal, 2000) == std::map<int, int>{ { 9, 2000 } }));
+  CHECK((TestRandomNumberings(hexagonal, 2000) == std::map<int, int>{ { 12, 2000 } }));
+  for (const Model& model : { hexahedron, wedge, pyramid, tetrahedron, pentagonal, hexagonal })
   {
     TestTurned(model);
+    TestApex(model);
   }
   const vtkIdType lattice[8] = { 0, 1, 11, 10, 100, 101, 111, 110 };
   CHECK_EQUAL(TetrahedralSplit::Split(Shape::Hexahedron, lattice).Count, 6);

@@ -1,0 +1,191 @@
+#include "ConvexCellReader.h"
+
+#include "PolyhedronSurface.h"
+#include "VTKVersions.h"
+
+#include "vtkCellArray.h"
+#include "vtkCellData.h"
+#include "vtkCellType.h"
+#include "vtkGenericCell.h"
+#include "vtkIdList.h"
+#include "vtkNew.h"
+#include "vtkSMPTools.h"
+#include "vtkUnsignedCharArray.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <utility>
+
+namespace
+{
+using TetrahedralSplit::Shape;
+
+// Null where there is none that fits.
+const unsigned char* Bytes(vtkDataSetAttributes* data, const char* name, vtkIdType count)
+{
+  auto* array = vtkUnsignedCharArray::SafeDownCast(data->GetArray(name));
+  const bool fits = array && array->GetNumberOfValues() == count;
+  return fits && count > 0 ? array->GetPointer(0) : nullptr;
+}
+
+// Of any implementation: as GetFaceStream, which only vtkUnstructuredGrid has.
+void ListFaces(vtkCell* cell, vtkIdList* stream)
+{
+  stream->Reset();
+  stream->InsertNextId(cell->GetNumberOfFaces());
+  for (int index = 0; index < cell->GetNumberOfFaces(); ++index)
+  {
+    vtkIdList* ids = cell->GetFace(index)->GetPointIds();
+    stream->InsertNextId(ids->GetNumberOfIds());
+    for (vtkIdType i = 0; i < ids->GetNumberOfIds(); ++i)
+    {
+      stream->InsertNextId(ids->GetId(i));
+    }
+  }
+}
+}
+
+ConvexCellReader::ConvexCellReader(vtkUnstructuredGridBase* input)
+  : Input(input)
+  , GhostCells(Bytes(
+      input->GetCellData(), vtkDataSetAttributes::GhostArrayName(), input->GetNumberOfCells()))
+  , ImaginaryCells(Bytes(input->GetCellData(), "Imaginary", input->GetNumberOfCells()))
+{
+}
+
+ConvexCellReader::~ConvexCellReader() = default;
+
+void ConvexCellReader::Open()
+{
+  const vtkIdType count = this->Input->GetNumberOfCells();
+  this->Types.resize(count);
+  this->Grid = vtkUnstructuredGrid::SafeDownCast(this->Input);
+  if (!this->Grid)
+  {
+    this->CopyCells();
+  }
+  vtkSMPTools::For(0, count,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        this->Types[cell] = static_cast<unsigned char>(this->Grid->GetCellType(cell));
+      }
+    });
+}
+
+// Other implementations promise nothing to threads.
+void ConvexCellReader::CopyCells()
+{
+  this->Grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  this->Grid->Allocate(this->Input->GetNumberOfCells());
+  vtkNew<vtkIdList> list;
+  vtkNew<vtkGenericCell> generic;
+  for (vtkIdType cell = 0; cell < this->Input->GetNumberOfCells(); ++cell)
+  {
+    const int type = this->Input->GetCellType(cell);
+    if (type == VTK_POLYHEDRON)
+    {
+      this->Input->GetCell(cell, generic);
+      ListFaces(generic, list);
+    }
+    else
+    {
+      this->Input->GetCellPoints(cell, list);
+    }
+    this->Grid->InsertNextCell(type, list);
+  }
+}
+
+void ConvexCellReader::Close()
+{
+  this->Grid = nullptr;
+  this->Input = nullptr;
+}
+
+bool ConvexCellReader::HasSameTypes(vtkUnstructuredGridBase* input) const
+{
+  const auto count = static_cast<vtkIdType>(this->Types.size());
+  bool same = input->GetNumberOfCells() == count;
+  for (vtkIdType cell = 0; same && cell < count; ++cell)
+  {
+    same = this->Types[cell] == static_cast<unsigned char>(input->GetCellType(cell));
+  }
+  return same;
+}
+
+ConvexCellPlan::FateType ConvexCellReader::Refuse(vtkIdType cell) const
+{
+  constexpr int ghostBits = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
+  if (this->ImaginaryCells && this->ImaginaryCells[cell] == 1)
+  {
+    return ConvexCellPlan::Imaginary;
+  }
+  const bool isGhost = this->GhostCells && (this->GhostCells[cell] & ghostBits);
+  return isGhost ? ConvexCellPlan::Ghost : ConvexCellPlan::Whole;
+}
+
+bool ConvexCellReader::ShapeOf(int cellType, Shape& shape)
+{
+  switch (cellType)
+  {
+    case VTK_TETRA:
+      shape = Shape::Tetrahedron;
+      return true;
+    case VTK_PYRAMID:
+      shape = Shape::Pyramid;
+      return true;
+    case VTK_WEDGE:
+      shape = Shape::Wedge;
+      return true;
+    case VTK_VOXEL:
+    case VTK_HEXAHEDRON:
+      shape = Shape::Hexahedron;
+      return true;
+    case VTK_PENTAGONAL_PRISM:
+      shape = Shape::PentagonalPrism;
+      return true;
+    case VTK_HEXAGONAL_PRISM:
+      shape = Shape::HexagonalPrism;
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool ConvexCellReader::ReadIds(vtkIdType cell, Shape shape, const std::vector<vtkIdType>& canonical,
+  vtkIdList* list, vtkIdType* ids) const
+{
+  const int count = TetrahedralSplit::NumberOfVertices(shape);
+  this->Grid->GetCells()->GetCellAtId(cell, list);
+  if (list->GetNumberOfIds() != count)
+  {
+    return false;
+  }
+  for (int i = 0; i < count; ++i)
+  {
+    const vtkIdType id = list->GetId(i);
+    if (id < 0 || id >= static_cast<vtkIdType>(canonical.size()))
+    {
+      return false;
+    }
+    ids[i] = canonical[id];
+  }
+  if (this->Types[cell] == VTK_VOXEL)
+  {
+    std::swap(ids[2], ids[3]);
+    std::swap(ids[6], ids[7]);
+  }
+  return true;
+}
+
+bool ConvexCellReader::ReadSurface(vtkIdType cell, const std::vector<vtkIdType>& canonical,
+  vtkIdList* list, PolyhedronSurface& surface) const
+{
+  if (!HasFaceStream(this->Grid, cell, list))
+  {
+    return false;
+  }
+  this->Grid->GetFaceStream(cell, list);
+  return surface.Read(list->GetPointer(0), list->GetNumberOfIds(), canonical.data(),
+    static_cast<vtkIdType>(canonical.size()));
+}

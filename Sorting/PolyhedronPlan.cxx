@@ -1,0 +1,151 @@
+#include "PolyhedronPlan.h"
+
+#include "ConvexityTest.h"
+
+#include "vtkCellType.h"
+
+namespace
+{
+using TetrahedralSplit::Solid;
+
+ConvexCellPlan::FateType FateOf(PolyhedronSurface::Defect defect)
+{
+  switch (defect)
+  {
+    case PolyhedronSurface::Defect::WrongList:
+      return ConvexCellPlan::WrongList;
+    case PolyhedronSurface::Defect::Open:
+      return ConvexCellPlan::Open;
+    case PolyhedronSurface::Defect::SeveralPieces:
+      return ConvexCellPlan::SeveralPieces;
+    default:
+      return ConvexCellPlan::Whole;
+  }
+}
+
+// Six times; positive where the faces are wound outward.
+double SumVolumes(const PolyhedronSurface& surface, const double (*points)[3])
+{
+  double sum = 0.0;
+  TetrahedralSplit::VisitCone(surface.GetSolid(), surface.GetIds().data(), 0,
+    [&](int, int a, int b, int c)
+    { sum += TetrahedralSplit::SixVolumes(points[0], points[a], points[b], points[c]); });
+  return sum;
+}
+
+// Whole where it has a closed surface and a volume.
+ConvexCellPlan::FateType TurnOutward(PolyhedronSurface& surface, double (*points)[3])
+{
+  const ConvexCellPlan::FateType fate = FateOf(surface.Orient());
+  if (fate != ConvexCellPlan::Whole)
+  {
+    return fate;
+  }
+  TetrahedralSplit::ScaleIfExtreme(points, surface.GetSolid().NumberOfVertices);
+  const double volume = SumVolumes(surface, points);
+  if (volume < 0.0)
+  {
+    surface.Turn();
+  }
+  return volume == 0.0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Whole;
+}
+
+// visit(a, b, c, hasVolume)
+template <typename Visit>
+void VisitPieces(const PolyhedronSurface& surface, const double (*points)[3], int apex, Visit visit)
+{
+  TetrahedralSplit::VisitCone(surface.GetSolid(), surface.GetIds().data(), apex,
+    [&](int, int a, int b, int c)
+    {
+      visit(
+        a, b, c, TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]) > 0.0);
+    });
+}
+
+void PlanPieces(const PolyhedronSurface& surface, const double (*points)[3], ConvexCellPlan& plan,
+  ConvexCellCursor& cursor)
+{
+  plan.Apex = TetrahedralSplit::FindApex(surface.GetSolid(), surface.GetIds().data(), points);
+  if (plan.Apex < 0)
+  {
+    plan.Fate = ConvexCellPlan::Concave;
+    plan.NonConvex = false;
+    return;
+  }
+  plan.Fate = ConvexCellPlan::Tetrahedra;
+  VisitPieces(surface, points, plan.Apex,
+    [&](int, int, int, bool hasVolume)
+    {
+      plan.Dropped += !hasVolume;
+      cursor.Cell += hasVolume;
+      cursor.Id += hasVolume ? 4 : 0;
+    });
+}
+
+void WriteWhole(const Solid& solid, const vtkIdType* named, const ConvexCellArrays& arrays,
+  ConvexCellCursor& cursor)
+{
+  arrays.Ids[cursor.Id++] = solid.NumberOfFaces;
+  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  {
+    arrays.Ids[cursor.Id++] = solid.End(face) - solid.Begin(face);
+    for (const int* at = solid.Begin(face); at < solid.End(face); ++at)
+    {
+      arrays.Ids[cursor.Id++] = named[*at];
+    }
+  }
+}
+}
+
+ConvexCellPlan PlanPolyhedron(
+  PolyhedronSurface& surface, double (*points)[3], ConvexCellCut cut, ConvexCellCursor& cursor)
+{
+  ConvexCellPlan plan;
+  plan.Fate = TurnOutward(surface, points);
+  if (plan.Fate != ConvexCellPlan::Whole)
+  {
+    return plan;
+  }
+  plan.Inverted = surface.GetNumberOfTurnedFaces() > 0;
+  const Solid solid = surface.GetSolid();
+  plan.NonConvex = cut == ConvexCellCut::NonConvex &&
+                   !ConvexityTest::IsConvex(solid, surface.GetIds().data(), points, 1.0);
+  if (cut == ConvexCellCut::All || plan.NonConvex)
+  {
+    PlanPieces(surface, points, plan, cursor);
+    return plan;
+  }
+  cursor.Cell += 1;
+  cursor.Id += 1 + solid.NumberOfFaces + solid.FaceOffsets[solid.NumberOfFaces];
+  return plan;
+}
+
+void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, double (*points)[3],
+  const vtkIdType* outputIds, vtkIdType sourceCell, const ConvexCellArrays& arrays,
+  ConvexCellCursor& cursor)
+{
+  TurnOutward(surface, points);
+  std::vector<vtkIdType> named = surface.GetIds();
+  for (vtkIdType& id : named)
+  {
+    id = outputIds ? outputIds[id] : id;
+  }
+  if (plan.Fate == ConvexCellPlan::Whole)
+  {
+    BeginConvexCell(VTK_POLYHEDRON, sourceCell, arrays, cursor);
+    WriteWhole(surface.GetSolid(), named.data(), arrays, cursor);
+    return;
+  }
+  VisitPieces(surface, points, plan.Apex,
+    [&](int a, int b, int c, bool hasVolume)
+    {
+      if (hasVolume)
+      {
+        BeginConvexCell(VTK_TETRA, sourceCell, arrays, cursor);
+        for (const int vertex : { plan.Apex, a, b, c })
+        {
+          arrays.Ids[cursor.Id++] = named[vertex];
+        }
+      }
+    });
+}

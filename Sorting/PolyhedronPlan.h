@@ -1,0 +1,28 @@
+/**
+ * What becomes of one polyhedron: left as it is, cut into tetrahedra, or left out. As
+ * ConvexCellPlan, but for surfaces of any number of faces.
+ *
+ * It is cut from its corner of smallest id, or else from any that sees the whole surface. Where
+ * there is none, a polyhedron is Concave and left out: its tetrahedra would overlap.
+ */
+#ifndef PolyhedronPlan_h
+#define PolyhedronPlan_h
+
+#include "ConvexCellPlan.h"
+#include "PolyhedronSurface.h"
+
+/**
+ * `surface`: as it was read; its faces are turned outward. `points`: by vertex, all finite; may be
+ * scaled here. Moves the cursor past what WritePolyhedron will write. Inverted says that a face was
+ * turned.
+ */
+ConvexCellPlan PlanPolyhedron(
+  PolyhedronSurface& surface, double (*points)[3], ConvexCellCut cut, ConvexCellCursor& cursor);
+
+/** `surface` and `points` as for PlanPolyhedron. `outputIds`, by id, names the points in the output
+ *  (null: the same). */
+void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, double (*points)[3],
+  const vtkIdType* outputIds, vtkIdType sourceCell, const ConvexCellArrays& arrays,
+  ConvexCellCursor& cursor);
+
+#endif
