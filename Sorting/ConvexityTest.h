@@ -19,7 +19,7 @@ namespace ConvexityTest
 /** How far outside a vertex may lie, by the size of the cell. */
 constexpr double InsideTolerance = 1e-9;
 /** How far out of its plane a vertex of a large face may lie, by the size of the face. */
-constexpr double PlanarTolerance = 1e-6;
+constexpr double PlanarTolerance = 1e-5;
 
 /** `ids` and `points`, finite, by the solid's vertices; `sign`: negative where it is inside out. */
 bool IsConvex(const TetrahedralSplit::Solid& solid, const vtkIdType* ids, const double (*points)[3],

@@ -18,7 +18,7 @@
  * A face is a fan of triangles from its smallest point id, in both. A cell is convex where for each
  * of its faces the normals of these triangles are within 60 degrees of each other, every corner off
  * the face lies inside the plane of each triangle within 1e-9 of the cell's size, and a face of
- * five or more corners is planar within 1e-6 of its size: hexahedra with slightly warped faces stay
+ * five or more corners is planar within 1e-5 of its size: hexahedra with slightly warped faces stay
  * whole. Tetrahedra and voxels are not tested.
  *
  * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners

@@ -38,16 +38,17 @@ Passage passageOf(int cell, Ray ray)
   p.center = texelFetch(cellPlanes, header.x).xyz;
   p.depth = dot(p.center - ray.point, ray.direction) / dot(ray.direction, ray.direction);
   p.place = (ray.point - p.center) + p.depth * ray.direction;
-  p.depths = planes > 0 ? vec2(-farAway, farAway) : vec2(0.0);
+  p.depths = header.y > 0 ? vec2(-farAway, farAway) : vec2(0.0);
   p.planes = ivec2(header.x);
   float parallel = 1e-6 * length(ray.direction);
   for (int i = 1; i <= planes; ++i)
   {
     cutAtPlane(header.x + i, ray, parallel, p);
   }
-  for (int i = 0; i < pairs; ++i)
+  // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
+  for (int i = 0; i < 2 * pairs; ++i)
   {
-    cutAtValley(header.x + 1 + planes + 2 * i, ray, parallel, p);
+    cutAtValley(header.x + 1 + planes + 2 * (i % pairs), ray, parallel, p);
   }
   return p;
 }
