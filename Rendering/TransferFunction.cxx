@@ -132,15 +132,32 @@ void TransferFunction::CountVisible()
 {
   const int intervals = this->GetNumberOfNodes() - 1;
   this->VisibleBefore.assign(intervals + 1, 0);
+  this->EmittingBefore.assign(intervals + 1, 0);
   for (int i = 0; i < intervals; ++i)
   {
-    const bool visible = this->Values[4 * i + 3] > 0.0f || this->Values[4 * i + 7] > 0.0f;
+    const float* node = &this->Values[4 * i];
+    const bool visible = node[3] > 0.0f || node[7] > 0.0f;
+    const bool coloured = std::any_of(node, node + 3, [](float c) { return c != 0.0f; }) ||
+                          std::any_of(node + 4, node + 7, [](float c) { return c != 0.0f; });
     this->VisibleBefore[i + 1] = this->VisibleBefore[i] + (visible ? 1 : 0);
+    this->EmittingBefore[i + 1] = this->EmittingBefore[i] + (visible && coloured ? 1 : 0);
   }
 }
 
 //------------------------------------------------------------------------------
 bool TransferFunction::IsTransparent(float low, float high) const
+{
+  return this->IsNothing(this->VisibleBefore, low, high);
+}
+
+//------------------------------------------------------------------------------
+bool TransferFunction::IsDark(float low, float high) const
+{
+  return this->IsNothing(this->EmittingBefore, low, high);
+}
+
+//------------------------------------------------------------------------------
+bool TransferFunction::IsNothing(const std::vector<int>& before, float low, float high) const
 {
   const auto begin = this->Positions.begin();
   const auto end = this->Positions.end();
@@ -150,5 +167,5 @@ bool TransferFunction::IsTransparent(float low, float high) const
   int last = static_cast<int>(std::upper_bound(begin, end, high) - begin);
   first = std::min(std::max(first, 0), intervals);
   last = std::min(std::max(last, first), intervals);
-  return this->VisibleBefore[last] == this->VisibleBefore[first];
+  return before[last] == before[first];
 }

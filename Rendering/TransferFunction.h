@@ -37,6 +37,9 @@ public:
   /// True where the extinction is zero on the whole normalised interval.
   bool IsTransparent(float low, float high) const;
 
+  /// True where colour times extinction is zero on the whole normalised interval.
+  bool IsDark(float low, float high) const;
+
   const std::vector<float>& GetPositions() const { return this->Positions; }
   const std::vector<float>& GetValues() const { return this->Values; }
   int GetNumberOfNodes() const { return static_cast<int>(this->Positions.size()); }
@@ -52,6 +55,7 @@ private:
   void Refine(const Node& low, const Node& high, int depth, const Evaluator& evaluate);
   void Store(double unitDistance);
   void CountVisible();
+  bool IsNothing(const std::vector<int>& before, float low, float high) const;
 
   // The range that positions count from.
   double Low = 0.0;
@@ -61,6 +65,8 @@ private:
   std::vector<float> Values;
   // VisibleBefore[i]: how many of the intervals before interval i have any extinction.
   std::vector<int> VisibleBefore;
+  // The same of intervals with any emission.
+  std::vector<int> EmittingBefore;
 };
 
 #endif

@@ -61,8 +61,8 @@ void vtkProjectedPolyhedraMapper::SortCells(CellProjectionFrame& frame)
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
   const PreparedVolume& prepared = this->GetPreparedVolume();
   PreparedPolyhedra& polyhedra = this->Internal->Polyhedra;
-  polyhedra.Prepare(prepared,
-    [&prepared](float low, float high) { return prepared.Function.IsTransparent(low, high); });
+  polyhedra.Prepare(
+    prepared, [&prepared](float low, float high) { return prepared.Function.IsDark(low, high); });
   polyhedra.FillStatistics(frame.Statistics);
   if (polyhedra.GetNumberOfFlatCells() > 0)
   {
