@@ -1,11 +1,14 @@
-"""The mesh that the examples show: NASA's Blunt Fin where its files are, else a generated one."""
+"""The meshes that the examples show: from files where they are, else generated."""
 
 import math
 import os
 import pathlib
 
+import numpy
+from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
@@ -49,3 +52,20 @@ def load():
         return read_blunt_fin(folder), "Blunt Fin"
     print("The Blunt Fin data are not here: this is a generated curvilinear mesh.")
     return make_curvilinear(), "generated mesh"
+
+
+def make_hexahedra(x, y, z, **arrays):
+    """An unstructured grid of hexahedra; all arrays have the shape of the lattice, [k, j, i]."""
+    x, y, z = numpy.broadcast_arrays(x, y, z)
+    points, grid, append = vtkPoints(), vtkStructuredGrid(), vtkAppendFilter()
+    points.SetData(numpy_to_vtk(numpy.stack((x, y, z), axis=-1).reshape(-1, 3).astype(float), deep=True))
+    grid.SetDimensions(x.shape[::-1])
+    grid.SetPoints(points)
+    for name, values in arrays.items():
+        array = numpy_to_vtk(numpy.broadcast_to(values, x.shape).ravel().astype(float), deep=True)
+        array.SetName(name)
+        grid.GetPointData().AddArray(array)
+    grid.GetPointData().SetActiveScalars(next(iter(arrays)))
+    append.SetInputData(grid)
+    append.Update()
+    return append.GetOutput()
