@@ -7,10 +7,11 @@ import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (makes the classes below con
 from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
+from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
 from vtkmodules.vtkRenderingCore import (
-    vtkActor, vtkColorTransferFunction, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow,
-    vtkVolume, vtkVolumeProperty, vtkWindowToImageFilter)
+    vtkActor, vtkColorTransferFunction, vtkLight, vtkPolyDataMapper, vtkRenderer, vtkRenderWindow, vtkVolume,
+    vtkVolumeProperty, vtkWindowToImageFilter)
 
 # Share of the scalar range, red, green, blue, opacity.
 NODES = ((0.00, 0.15, 0.10, 0.75, 0.45), (0.12, 0.10, 0.45, 1.00, 0.22), (0.17, 0.25, 0.80, 0.85, 0.07),
@@ -67,6 +68,25 @@ def add_surface(renderer, source, color):
     actor.GetProperty().SetColor(color)
     renderer.AddActor(actor)
     return actor
+
+
+def add_fireplace(renderer):
+    """Ground and logs, and the light that a fire among them throws on them."""
+    light, ground, log = vtkLight(), vtkPlaneSource(), vtkCylinderSource()
+    light.SetPositional(True)
+    light.SetConeAngle(180.0)
+    light.SetPosition(0.0, -0.4, 0.9)
+    light.SetColor(1.0, 0.5, 0.18)
+    light.SetAttenuationValues(0.7, 0.0, 0.35)
+    renderer.AddLight(light)
+    add_surface(renderer, ground, (0.5, 0.42, 0.33)).SetScale(60.0, 60.0, 1.0)
+    log.SetRadius(0.12)
+    log.SetHeight(2.4)
+    log.SetResolution(24)
+    for turn in (15.0, 75.0, 135.0):
+        wood = add_surface(renderer, log, (0.45, 0.28, 0.16))
+        wood.SetPosition(0.0, 0.0, 0.15 + 0.002 * turn)
+        wood.RotateZ(turn)
 
 
 def make_outline(grid):
