@@ -7,15 +7,9 @@ import meshes
 import numpy
 import scene
 from vtkcellprojection import vtkProjectedPolyhedraMapper
-from vtkmodules.vtkCommonDataModel import vtkPerlinNoise
 from vtkmodules.vtkFiltersSources import vtkCubeSource, vtkPlaneSource
 
 arguments = scene.make_parser(__doc__, "laser_cone.png").parse_args()
-
-smoke = vtkPerlinNoise()
-smoke.SetFrequency(0.55, 0.55, 0.55)
-finer = vtkPerlinNoise()
-finer.SetFrequency(1.7, 1.7, 1.7)
 
 
 def make_cone(slope, thickness, phase):
@@ -25,9 +19,7 @@ def make_cone(slope, thickness, phase):
     along = 11.0 * numpy.linspace(0.005, 1.0, 73)[:, None, None] ** 1.2
     radius = along * (slope + thickness * layer)
     x, y, z = numpy.broadcast_arrays(radius * numpy.cos(angle), radius * numpy.sin(angle), along)
-    noise = [smoke.EvaluateFunction((a + phase, b, c)) + 0.5 * finer.EvaluateFunction((a, b + phase, c))
-             for a, b, c in zip(x.ravel(), y.ravel(), z.ravel())]
-    density = numpy.clip(0.42 + 0.55 * numpy.reshape(noise, x.shape), 0.05, 1.0)
+    density = numpy.clip(0.42 + 0.55 * meshes.make_noise(x + phase, y, z, 0.55, 3), 0.05, 1.0)
     # The same power crosses every circle of the cone, and none leaves the sheet.
     light = density * (1.0 - abs(layer)) / along
     return meshes.make_hexahedra(x, y, z, light=light * (1.0 - (along / 11.0) ** 6))

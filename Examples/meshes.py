@@ -7,7 +7,7 @@ import pathlib
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkStructuredGrid
+from vtkmodules.vtkCommonDataModel import vtkPerlinNoise, vtkStructuredGrid
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
 from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
 
@@ -67,7 +67,7 @@ def make_bucky_ball(x, y, z):
     signs = numpy.array(numpy.meshgrid((-1, 1), (-1, 1), (-1, 1))).reshape(3, -1).T
     corners = {tuple(numpy.roll(sign * kind, turn)) for kind in kinds for sign in signs for turn in range(3)}
     squares = [(x - a) ** 2 + (y - b) ** 2 + (z - c) ** 2 for a, b, c in 0.16 * numpy.array(sorted(corners))]
-    return 255.0 * numpy.clip(sum(numpy.exp(-square / 0.035) for square in squares), 0.0, 1.0)
+    return 255.0 * numpy.clip(sum(numpy.exp(-square / 0.018) for square in squares), 0.0, 1.0)
 
 
 def load_bucky_ball():
@@ -78,6 +78,17 @@ def load_bucky_ball():
         return make_structured(x, y, z, density=numpy.fromfile(path, numpy.uint8).reshape(x.shape)), "Bucky ball"
     print("Bucky.raw is not here: this is a generated molecule.")
     return make_structured(x, y, z, density=make_bucky_ball(x, y, z)), "generated molecule"
+
+
+def make_noise(x, y, z=0.0, frequency=1.0, octaves=1):
+    """Perlin noise of the arrays' shape, each octave of twice the frequency and half the height of the one before."""
+    x, y, z = numpy.broadcast_arrays(x, y, z)
+    noise, total = vtkPerlinNoise(), numpy.zeros(x.size)
+    for octave in range(octaves):
+        noise.SetFrequency(*3 * [frequency * 2.0 ** octave])
+        noise.SetPhase(*3 * [0.37 * octave])
+        total += [0.5 ** octave * noise.EvaluateFunction(point) for point in zip(x.flat, y.flat, z.flat)]
+    return total.reshape(x.shape)
 
 
 def make_structured(x, y, z, **arrays):

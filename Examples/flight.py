@@ -1,0 +1,69 @@
+"""Ground fog over a terrain in a scene, flights over it, and how much a picture changes from one frame to the next."""
+
+import numpy
+import scene
+import terrain
+from vtkcellprojection import vtkMaximumProjectionMapper, vtkProjectedPolyhedraMapper
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkWindowToImageFilter
+
+# Height in metres, red, green, blue: meadows, woods, scree, snow.
+GROUND = ((650.0, 0.20, 0.26, 0.12), (1000.0, 0.16, 0.24, 0.10), (1400.0, 0.25, 0.27, 0.15), (1800.0, 0.42, 0.36, 0.30),
+          (2100.0, 0.55, 0.50, 0.46), (2300.0, 0.95, 0.96, 1.0), (3000.0, 1.0, 1.0, 1.0))
+# Light of the fog per kilometre, and its colour and opacity where the greatest density decides.
+EMISSION = ((0.0, 0.75, 0.82, 1.0, 0.0), (1.0, 0.75, 0.82, 1.0, 0.75))
+MAXIMUM = ((0.0, 0.8, 0.85, 0.95, 0.0), (0.25, 0.8, 0.85, 0.95, 0.12), (1.0, 0.95, 0.96, 1.0, 0.85))
+
+
+class FoggyScene:
+    """The ground and its fog in a renderer. The fog shines, thinner towards its top; or, as a maximum, it is 0 at the bottom
+    and goes with its thickness at the top."""
+
+    def __init__(self, renderer, heights, spacing, level, depth, maximum=False):
+        thickness = terrain.make_fog(heights, spacing, level, depth)
+        self.terrain = terrain.Terrain(heights, thickness, spacing)
+        self.renderer, self.depth, self.maximum = renderer, depth, maximum
+        self.lengths = spacing * (numpy.array(heights.shape[::-1]) - 1.0)
+        self.fog = vtkMaximumProjectionMapper() if maximum else vtkProjectedPolyhedraMapper()
+        self.property = scene.make_emission(MAXIMUM) if maximum else scene.make_emission(EMISSION, 1000.0)
+        self.ground, self.actor = vtkPolyDataMapper(), vtkActor()
+        self.actor.SetMapper(self.ground)
+        self.actor.SetTexture(terrain.make_texture(heights, spacing, GROUND))
+        self.actor.GetProperty().LightingOff()
+        renderer.AddActor(self.actor)
+        self.volume = scene.add_volume(renderer, self.fog, None, self.property)
+        scene.set_sky(renderer, (0.62, 0.70, 0.82), (0.16, 0.28, 0.52))
+
+    def show(self, eye, focal_point, tolerance, morph=True, view_angle=40.0):
+        """Looks from the eye, in metres, at a mesh made for it; gives the number of triangles."""
+        mesh = self.terrain.make_mesh(eye, tolerance, morph)
+        thickness = mesh.thickness / self.depth
+        densities = (0.0, thickness) if self.maximum else (1.0, 0.25)
+        self.fog.SetInputData(terrain.make_prisms(mesh, *densities))
+        self.ground.SetInputData(terrain.make_surface(mesh, self.lengths))
+        scene.set_camera(self.renderer, eye, focal_point, view_angle)
+        return len(mesh.triangles)
+
+
+def grab(window, block):
+    """The window's colours, each the mean of block x block pixels, so that an edge that moves a little changes a little."""
+    image = vtkWindowToImageFilter()
+    image.SetInput(window)
+    image.ReadFrontBufferOff()
+    image.Update()
+    columns, rows, _ = image.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(image.GetOutput().GetPointData().GetScalars()).astype(float)
+    return pixels.reshape(rows // block, block, columns // block, block, 3).mean(axis=(1, 3))
+
+
+def largest_changes(window, foggy, eyes, direction, tolerance, morph=True, block=4):
+    """For each step of a flight the largest change of any colour of any pixel, of 255."""
+    changes, before = [], None
+    for eye in eyes:
+        foggy.show(eye, numpy.add(eye, direction), tolerance, morph)
+        window.Render()
+        now = grab(window, block)
+        if before is not None:
+            changes.append(abs(now - before).max())
+        before = now
+    return numpy.array(changes)
