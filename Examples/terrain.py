@@ -86,6 +86,7 @@ class Terrain:
             existing.append(exists)
             blends.append(blend if morph else exists.astype(float))
         existing[-1][:] = True
+        blends[-1][:] = 1.0
         return existing, blends
 
     def find_points(self, heights):
@@ -128,11 +129,14 @@ class Terrain:
                     triangles.append(numpy.stack((centre, a, b), axis=1)[keep])
         return numpy.concatenate(triangles)
 
+    def find_fields(self, eye, tolerance, morph=True):
+        """Which nodes exist, and the heights and thicknesses of the mesh at every point of the field that is its vertex."""
+        existing, blends = self.find_blends(eye, tolerance, morph)
+        return existing, self.move(blends)
+
     def make_mesh(self, eye, tolerance, morph=True):
         """The mesh for this eye; the tolerance is an angle, 0 gives every point of the field."""
-        existing, blends = self.find_blends(eye, tolerance, morph)
-        blends[-1][:] = 1.0
-        heights, thickness = self.move(blends)
+        existing, (heights, thickness) = self.find_fields(eye, tolerance, morph)
         used, triangles = numpy.unique(self.triangulate(existing), return_inverse=True)
         points = self.find_points(heights).reshape(3, -1).T[used]
         return Mesh(points, thickness.ravel()[used], triangles.reshape(-1, 3))
@@ -204,6 +208,8 @@ def make_texture(heights, spacing, colors, sun=(-0.6, -0.35, 0.72)):
     texture.SetInputData(image)
     texture.InterpolateOn()
     texture.MipmapOn()
+    # Software OpenGL takes seconds for more.
+    texture.SetMaximumAnisotropicFiltering(1)
     return texture
 
 
@@ -232,7 +238,7 @@ def load_heights():
 
 def make_fog(heights, spacing, level, depth):
     """A map of the fog's thickness: it fills what lies below the level, up to the depth, with the noise of its top."""
-    j, i = numpy.indices(heights.shape) * (spacing / 2500.0)
+    j, i = numpy.indices(heights.shape) * (spacing / 2000.0)
     noise = meshes.make_noise(i, j, 0.3, 1.0, 3)
     fill = numpy.clip((level + 0.35 * depth * noise - heights) / depth, 0.0, 1.0)
-    return depth * fill * (2.0 - fill) * (0.65 + 0.35 * noise.clip(-1.0, 1.0))
+    return depth * fill * (2.0 - fill) * (0.6 + 0.5 * noise).clip(0.1, 1.0)
