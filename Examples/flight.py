@@ -6,7 +6,7 @@ import terrain
 from vtkcellprojection import vtkMaximumProjectionMapper, vtkProjectedPolyhedraMapper
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonDataModel import vtkUnstructuredGrid
-from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkWindowToImageFilter
+from vtkmodules.vtkRenderingCore import vtkWindowToImageFilter
 
 # Height in metres, red, green, blue: meadows, woods, scree, snow.
 GROUND = ((650.0, 0.20, 0.26, 0.12), (1000.0, 0.16, 0.24, 0.10), (1400.0, 0.25, 0.27, 0.15), (1800.0, 0.42, 0.36, 0.30),
@@ -27,11 +27,8 @@ class FoggyScene:
         self.lengths = spacing * (numpy.array(heights.shape[::-1]) - 1.0)
         self.fog = vtkMaximumProjectionMapper() if maximum else vtkProjectedPolyhedraMapper()
         self.property = scene.make_emission(MAXIMUM) if maximum else scene.make_emission(EMISSION, 1000.0)
-        self.ground, self.actor = vtkPolyDataMapper(), vtkActor()
-        self.actor.SetMapper(self.ground)
-        self.actor.SetTexture(terrain.make_texture(heights, spacing, GROUND))
-        self.actor.GetProperty().LightingOff()
-        renderer.AddActor(self.actor)
+        self.ground = terrain.make_actor(terrain.make_texture(heights, spacing, GROUND))
+        renderer.AddActor(self.ground)
         scene.add_volume(renderer, self.fog, vtkUnstructuredGrid(), self.property)
         scene.set_sky(renderer, (0.62, 0.70, 0.82), (0.16, 0.28, 0.52))
 
@@ -42,7 +39,7 @@ class FoggyScene:
         # Both are linear in the height over the ground, so that a prism and the prisms it is cut into hold the same fog.
         densities = (0.0, share) if self.maximum else (1.0, 1.0 - 0.8 * share)
         self.fog.SetInputData(terrain.make_prisms(mesh, *densities))
-        self.ground.SetInputData(terrain.make_surface(mesh, self.lengths))
+        self.ground.GetMapper().SetInputData(terrain.make_surface(mesh, self.lengths))
         scene.set_camera(self.renderer, eye, focal_point, view_angle)
         return len(mesh.triangles)
 

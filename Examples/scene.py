@@ -1,10 +1,13 @@
 """What the examples share: arguments, the window, the camera, transfer functions, volumes, surfaces, the PNG."""
 
 import argparse
+import math
 import pathlib
+import random
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (makes the classes below concrete)
-from vtkmodules.vtkCommonDataModel import vtkPiecewiseFunction
+from vtkmodules.vtkCommonCore import vtkPoints
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPiecewiseFunction, vtkPolyData
 from vtkmodules.vtkFiltersCore import vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource
@@ -68,6 +71,26 @@ def add_surface(renderer, source, color):
     actor.GetProperty().SetColor(color)
     renderer.AddActor(actor)
     return actor
+
+
+def add_stars(renderer, count, distance):
+    """Points in the half space above the ground, dimmer ones more often."""
+    sky = random.Random(1)
+    for brightness in (0.25, 0.4, 0.6, 0.9):
+        points, vertices, mapper, actor = vtkPoints(), vtkCellArray(), vtkPolyDataMapper(), vtkActor()
+        for _ in range(int(count * (1.0 - brightness) ** 2)):
+            direction = [sky.gauss(0.0, 1.0) for _ in range(3)]
+            shift = distance / math.hypot(*direction)
+            vertices.InsertNextCell(1, (points.InsertNextPoint(*(shift * abs(c) if axis == 2 else shift * c
+                                                                for axis, c in enumerate(direction))),))
+        stars = vtkPolyData()
+        stars.SetPoints(points)
+        stars.SetVerts(vertices)
+        mapper.SetInputData(stars)
+        actor.SetMapper(mapper)
+        actor.GetProperty().SetColor(brightness, brightness, brightness)
+        actor.GetProperty().LightingOff()
+        renderer.AddActor(actor)
 
 
 def add_fireplace(renderer):

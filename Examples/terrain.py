@@ -17,7 +17,7 @@ from vtkmodules.util.numpy_support import numpy_to_vtk, numpy_to_vtkIdTypeArray,
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import VTK_WEDGE, vtkCellArray, vtkImageData, vtkPolyData, vtkUnstructuredGrid
 from vtkmodules.vtkIOImage import vtkDEMReader
-from vtkmodules.vtkRenderingCore import vtkTexture
+from vtkmodules.vtkRenderingCore import vtkActor, vtkPolyDataMapper, vtkTexture
 
 # Points (n, 3), thickness of the fog over each, triangles (m, 3), counterclockwise from above.
 Mesh = collections.namedtuple("Mesh", "points thickness triangles")
@@ -211,6 +211,17 @@ def make_texture(heights, spacing, colors, sun=(-0.6, -0.35, 0.72)):
     # Software OpenGL takes seconds for more.
     texture.SetMaximumAnisotropicFiltering(1)
     return texture
+
+
+def make_actor(texture, surface=None):
+    """The ground as its texture is, in no other light."""
+    mapper, actor = vtkPolyDataMapper(), vtkActor()
+    if surface:
+        mapper.SetInputData(surface)
+    actor.SetMapper(mapper)
+    actor.SetTexture(texture)
+    actor.GetProperty().LightingOff()
+    return actor
 
 
 def make_heights(count=129, spacing=60.0):

@@ -23,7 +23,8 @@ def check_mesh(foggy, eye, tolerance):
     ends = mesh.points[edges[uses == 1]][:, :, :2]
     on_side = ((ends[:, 0] == ends[:, 1]) & ((ends[:, 0] == 0.0) | (ends[:, 0] == foggy.lengths))).any(axis=1)
     a, b, c = (mesh.points[mesh.triangles[:, corner], :2] for corner in range(3))
-    areas = 0.5 * numpy.cross(b - a, c - a)
+    (x1, y1), (x2, y2) = (b - a).T, (c - a).T
+    areas = 0.5 * (x1 * y2 - x2 * y1)
     print(len(mesh.triangles), "triangles,", (~on_side).sum(), "cracks")
     assert uses.max() == 2 and on_side.all() and areas.min() > 0.0
     assert abs(areas.sum() / foggy.lengths.prod() - 1.0) < 1e-12
