@@ -1,0 +1,53 @@
+"""The synthetic examples, made small and with no data files, agree with their baselines by the rule of the C++ pictures.
+
+Colours that differ by more than 3 of 255 may add up to one pixel. CELLPROJECTION_NEW_BASELINES in the environment names a
+folder where the pictures are kept, to be looked at before they become baselines.
+"""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+from vtkmodules.vtkImagingCore import vtkImageDifference
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+PICTURES = {"04_search_light": [], "05_laser_cone": [], "06_camp_fire": ["--frames", "1"], "08_aurora": [],
+            "09_ground_fog": ["--generated"]}
+
+
+def read(path):
+    reader = vtkPNGReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    return reader.GetOutput()
+
+
+def find_difference(picture, baseline):
+    """The colours' difference above 3, summed over the picture, and in all."""
+    difference = vtkImageDifference()
+    difference.SetInputData(read(picture))
+    difference.SetImageData(read(baseline))
+    difference.AllowShiftOff()
+    difference.AveragingOff()
+    difference.SetThreshold(3)
+    difference.Update()
+    return difference.GetThresholdedError(), difference.GetError()
+
+
+with tempfile.TemporaryDirectory() as scratch:
+    folder = pathlib.Path(os.environ.get("CELLPROJECTION_NEW_BASELINES", scratch))
+    different = []
+    for name, options in PICTURES.items():
+        picture = folder / f"TestGallery_{name}.png"
+        command = [sys.executable, str(ROOT / "Examples" / f"{name}.py"), "-o", str(picture), "--size", "160", "120"]
+        environment = dict(os.environ, CELLPROJECTION_DATA=str(ROOT / "no" / "such" / "folder"))
+        subprocess.run(command + options, env=environment, check=True, stdout=subprocess.DEVNULL)
+        baseline = ROOT / "Testing" / "Data" / "Baseline" / picture.name
+        above, error = find_difference(picture, baseline) if baseline.exists() else (float("inf"), float("inf"))
+        print(f"{name}: difference {error:.3f}, above 3: {above:.3f}")
+        if above > 1.0:
+            different.append(name)
+    assert not different, different
