@@ -14,7 +14,7 @@ int TestAccuracyDelaunay(int, char*[])
   scene.SetGrid(grid);
   // vtkDelaunay3D leaves dents in its hull: an order by shared faces alone would not be exact.
   vtkNew<TangentialSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   const double eyes[3][3] = { { 0.5, 0.8, 2.2 }, { -1.4, 0.3, -0.9 }, { 0.1, 0.05, 0.2 } };
   for (const auto& eye : eyes)
   {

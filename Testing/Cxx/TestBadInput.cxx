@@ -291,7 +291,7 @@ void CheckBrokenSort(TestChecks& checks)
 {
   BadScene scene;
   auto sort = vtkSmartPointer<BrokenSort>::New();
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.RenderTwice();
   CHECK(scene.SaysOnce("repeated, invented or left out 8 cells"));
   CHECK(scene.Statistic("CellsDrawn") == 6.0);

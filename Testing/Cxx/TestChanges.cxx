@@ -18,7 +18,7 @@ double DifferenceToFresh(TestScene& scene)
   auto kept = scene.CopyCaptured();
   vtkNew<vtkPreIntegratedTetrahedraMapper> fresh;
   fresh->SetInputData(scene.Mapper->GetInput());
-  fresh->SetVisibilitySort(scene.Mapper->GetVisibilitySort());
+  fresh->SetVisibilitySort(scene.GetTetrahedraMapper()->GetVisibilitySort());
   fresh->SetClippingPlanes(scene.Mapper->GetClippingPlanes());
   fresh->SetScalarMode(scene.Mapper->GetScalarMode());
   fresh->SelectScalarArray("other");

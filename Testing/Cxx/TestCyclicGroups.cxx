@@ -64,7 +64,7 @@ void CheckMesh(TestChecks& checks, vtkUnstructuredGrid* grid, const std::string&
 {
   TestScene scene;
   vtkNew<GroupSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.SetGrid(grid);
   CheckEyes(checks, scene, name);
   CheckClipped(checks, scene, name);

@@ -37,11 +37,11 @@ double DifferenceToSorted(TestScene& scene)
   vtkNew<GroupSort> group;
   scene.Render();
   auto sorted = scene.CopyCaptured();
-  vtkSmartPointer<vtkVisibilitySort> before = scene.Mapper->GetVisibilitySort();
-  scene.Mapper->SetVisibilitySort(group);
+  vtkSmartPointer<vtkVisibilitySort> before = scene.GetTetrahedraMapper()->GetVisibilitySort();
+  scene.GetTetrahedraMapper()->SetVisibilitySort(group);
   scene.Render();
   const double difference = TestScene::Difference(sorted, scene.Mapper->GetCapturedImage());
-  scene.Mapper->SetVisibilitySort(before);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(before);
   return difference;
 }
 
@@ -63,7 +63,7 @@ void CheckViewports(TestChecks& checks)
 {
   TestScene scene(256, 128);
   vtkNew<GroupSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.SetGrid(TestMeshes::SixTetrahedra());
   vtkNew<vtkRenderer> second;
   scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
@@ -99,7 +99,7 @@ void CheckRuns(TestChecks& checks)
   scene.Opacity->AddPoint(1.0, 3.0);
   vtkNew<GroupSort> sort;
   sort->Inner = vtkSmartPointer<FaceOrderSort>::New();
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   for (const int size : { 1, 20, 60, 100000 })
   {
     sort->GroupSize = size;
@@ -117,7 +117,7 @@ void CheckInvalid(TestChecks& checks)
 {
   TestScene scene;
   vtkNew<GroupSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   vtkNew<MessageObserver> messages;
   messages->Watch(scene.Mapper);
   auto grid = TestMeshes::SixTetrahedra();

@@ -124,8 +124,8 @@ vtkIdType CheckMesh(TestChecks& checks, const Grid& grid, const std::string& nam
   const double eyes[5][3] = { { 0.5, 0.8, 2.2 }, { -1.4, 0.3, -0.9 }, { 2.5, 0.0, 1.0 },
     { 0.0, 0.0, 2.5 }, { 0.3, -0.35, 0.3 } };
   TestScene scene;
-  scene.Mapper->SetVisibilitySort(nullptr);
-  scene.Mapper->ReportOrderOn();
+  scene.GetTetrahedraMapper()->SetVisibilitySort(nullptr);
+  scene.GetTetrahedraMapper()->ReportOrderOn();
   scene.SetGrid(Cut(grid));
   scene.SetSpiky();
   vtkIdType cycles = 0;
@@ -157,7 +157,7 @@ void CheckSlabsSwapped(TestChecks& checks)
   scene.SetSpiky();
   scene.LookFrom(2.5, 0.0, 1.0);
   vtkNew<vtkCellCenterDepthSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   CHECK(scene.MaximumError("slabs by their centres") > 1e-2);
 }
 }

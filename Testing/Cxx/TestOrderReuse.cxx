@@ -59,7 +59,8 @@ std::vector<Change> Changes()
         grid->Modified();
       } },
     { "the sort itself", 1,
-      [](TestScene& s, vtkUnstructuredGrid*) { s.Mapper->GetVisibilitySort()->Modified(); } },
+      [](TestScene& s, vtkUnstructuredGrid*)
+      { s.GetTetrahedraMapper()->GetVisibilitySort()->Modified(); } },
     { "nothing at last", 0, [](TestScene&, vtkUnstructuredGrid*) {} },
   };
 }
@@ -106,7 +107,7 @@ void CheckEye(TestChecks& checks)
   TestScene scene;
   scene.SetGrid(TestMeshes::SixTetrahedra());
   vtkNew<vtkMPVOVisibilitySort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.Render();
   auto before = scene.CopyCaptured();
   CHECK(sort->GetNumberOfSorts() == 1);
@@ -131,7 +132,7 @@ int TestOrderReuse(int, char*[])
   auto grid = TestMeshes::SixTetrahedra();
   scene.SetGrid(grid);
   vtkNew<GroupSort> sort;
-  scene.Mapper->SetVisibilitySort(sort);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   for (const Change& change : Changes())
   {
     const int before = sort->NumberOfSorts;

@@ -40,6 +40,15 @@ int MessageObserver::CountOf(const std::string& text) const
 
 //------------------------------------------------------------------------------
 TestScene::TestScene(int width, int height)
+  : TestScene(vtkNew<vtkPreIntegratedTetrahedraMapper>(), width, height)
+{
+  vtkNew<FaceOrderSort> sort;
+  this->GetTetrahedraMapper()->SetVisibilitySort(sort);
+}
+
+//------------------------------------------------------------------------------
+TestScene::TestScene(vtkConvexCellMapper* mapper, int width, int height)
+  : Mapper(mapper)
 {
   this->Window->SetOffScreenRendering(1);
   this->Window->SetMultiSamples(0);
@@ -53,8 +62,6 @@ TestScene::TestScene(int width, int height)
   this->Property->SetInterpolationTypeToLinear();
   this->SetSmooth();
   this->Mapper->CaptureImageOn();
-  vtkNew<FaceOrderSort> sort;
-  this->Mapper->SetVisibilitySort(sort);
   this->LookFrom(0.5, 0.8, 2.2);
 }
 
@@ -65,6 +72,12 @@ void TestScene::LookFrom(double x, double y, double z)
   camera->SetFocalPoint(0.0, 0.0, 0.0);
   camera->SetPosition(x, y, z);
   camera->SetClippingRange(0.1, 20.0);
+}
+
+//------------------------------------------------------------------------------
+vtkPreIntegratedTetrahedraMapper* TestScene::GetTetrahedraMapper()
+{
+  return vtkPreIntegratedTetrahedraMapper::SafeDownCast(this->Mapper);
 }
 
 //------------------------------------------------------------------------------
@@ -113,6 +126,18 @@ void TestScene::Render()
 }
 
 //------------------------------------------------------------------------------
+bool TestScene::UpdateOracle()
+{
+  const int* size = this->Renderer->GetSize();
+  this->Oracle->SetVolume(this->Volume);
+  this->Oracle->SetCamera(this->Renderer->GetActiveCamera());
+  this->Oracle->SetSize(size[0], size[1]);
+  // The oracle's numbers are the mappers'.
+  this->Oracle->SetBlendMode(this->Mapper->GetBlendMode());
+  return this->Oracle->Update();
+}
+
+//------------------------------------------------------------------------------
 double TestScene::MaximumError(const std::string& name)
 {
   this->Render();
@@ -122,11 +147,7 @@ double TestScene::MaximumError(const std::string& name)
     std::cerr << name << ": no image was captured\n";
     return -1.0;
   }
-  const int* size = this->Renderer->GetSize();
-  this->Oracle->SetVolume(this->Volume);
-  this->Oracle->SetCamera(this->Renderer->GetActiveCamera());
-  this->Oracle->SetSize(size[0], size[1]);
-  if (!this->Oracle->Update())
+  if (!this->UpdateOracle())
   {
     return -1.0;
   }

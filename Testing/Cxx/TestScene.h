@@ -5,6 +5,7 @@
 #include "vtkCellProjectionOracle.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkCommand.h"
+#include "vtkConvexCellMapper.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkPiecewiseFunction.h"
@@ -52,15 +53,19 @@ public:
   std::vector<std::string> Texts;
 };
 
-/// A window of our mapper with the oracle beside it.
+/// A window of one of our mappers with the oracle beside it.
 class TestScene
 {
 public:
+  /// With a vtkPreIntegratedTetrahedraMapper and a sort that is right for every mesh.
   explicit TestScene(int width = 128, int height = 128);
+  explicit TestScene(vtkConvexCellMapper* mapper, int width = 128, int height = 128);
 
   /// The largest difference between the captured image and the oracle; below zero where either
   /// failed. Prints all the figures.
   double MaximumError(const std::string& name);
+  /// Draws the oracle's image of the scene as it is, in the mapper's blend mode.
+  bool UpdateOracle();
   void Render();
   /// Premultiplied RGBA of a pixel of the captured image.
   std::array<double, 4> Pixel(int x, int y);
@@ -76,6 +81,8 @@ public:
   void SetSpiky();
   void SetSmooth();
   void LookFrom(double x, double y, double z);
+  /// The mapper where it is that of tetrahedra, else null.
+  vtkPreIntegratedTetrahedraMapper* GetTetrahedraMapper();
 
   vtkNew<vtkRenderWindow> Window;
   vtkNew<vtkRenderer> Renderer;
@@ -83,7 +90,7 @@ public:
   vtkNew<vtkVolumeProperty> Property;
   vtkNew<vtkColorTransferFunction> Color;
   vtkNew<vtkPiecewiseFunction> Opacity;
-  vtkNew<vtkPreIntegratedTetrahedraMapper> Mapper;
+  vtkSmartPointer<vtkConvexCellMapper> Mapper;
   vtkNew<vtkCellProjectionOracle> Oracle;
 };
 
