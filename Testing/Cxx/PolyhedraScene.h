@@ -62,7 +62,7 @@ public:
 
   /// What an exact mapper promises: 1e-4 for sums of about 1, 1e-5 for an extremum's scalar.
   double GetBound() const;
-  /// CompareWithOracle within that bound, and at most 1 covered pixel of 100 near a silhouette.
+  /// CompareWithOracle within that bound, and at most 1 covered pixel of 40 near a silhouette.
   void CheckWithOracle(TestChecks& checks, const std::string& name, int line);
 
 private:
