@@ -29,6 +29,7 @@ def draw(renderer, structured, name, nodes, direction, zoom):
     row = mapper.GetLastStatistics()
     counts = [row.GetValueByName(0, column).ToInt() for column in ("CellsIn", "CellsDrawn", "CellsSkippedTransparent")]
     print("{}: {} hexahedra, {} drawn, {} that emit nothing left out".format(name, *counts))
+    return grid
 
 
 window, left = scene.make_window(*arguments.size)
@@ -38,6 +39,6 @@ left.SetViewport(0.0, 0.0, 0.42, 1.0)
 right.SetViewport(0.42, 0.0, 1.0, 1.0)
 window.AddRenderer(right)
 draw(left, *meshes.load_bucky_ball(), BALL, (0.7, -1.0, 0.45), 1.55)
-draw(right, *meshes.load(), FIN, (-0.9, 1.0, 0.55), 1.3)
+right.AddActor(scene.make_outline(draw(right, *meshes.load(), FIN, (-0.9, 1.0, 0.55), 1.3)))
 window.Render()
 print(scene.save(window, arguments.output))
