@@ -41,9 +41,9 @@ namespace CutCells
 //------------------------------------------------------------------------------
 std::vector<glm::vec4> Planes(const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes)
 {
-  const glm::dvec4 nearPlane =
-    glm::row(glm::dmat4(rays.MeshToClip), 2) + glm::row(glm::dmat4(rays.MeshToClip), 3);
-  std::vector<glm::vec4> planes{ OfUnitLength(nearPlane) };
+  const glm::dvec4 clipZ = glm::row(glm::dmat4(rays.MeshToClip), 2);
+  const glm::dvec4 clipW = glm::row(glm::dmat4(rays.MeshToClip), 3);
+  std::vector<glm::vec4> planes{ OfUnitLength(clipW + clipZ), OfUnitLength(clipW - clipZ) };
   for (const glm::vec4& plane : clippingPlanes)
   {
     // A plane is a row vector.

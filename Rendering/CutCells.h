@@ -12,11 +12,11 @@ class ViewRays;
 
 /**
  * @class CutCells
- * @brief The cells through which the near plane or a clipping plane goes.
+ * @brief The cells through which the near plane, the far plane or a clipping plane goes.
  */
 namespace CutCells
 {
-/// Planes in mesh coordinates, normal and offset, the positive side stays: the near plane first,
+/// Planes in mesh coordinates, normal and offset, the positive side stays: near plane, far plane,
 /// then the clipping planes, which are given in view coordinates.
 std::vector<glm::vec4> Planes(const ViewRays& rays, const std::vector<glm::vec4>& clippingPlanes);
 

@@ -19,9 +19,9 @@ class vtkWindow;
  * @brief Raster engine for the greatest, or least, scalar along each ray.
  *
  * A scalar that is linear between entry and exit is greatest at one of them, so it is enough to
- * draw every face once, blended to the maximum of a float. Cells that the near plane or a clipping
- * plane cuts have ends that are on no face: they are drawn as cells besides, and where there is
- * opaque geometry so are all.
+ * draw every face once, blended to the maximum of a float. Cells that the near, the far or a
+ * clipping plane cuts have ends that are on no face: they are drawn as cells besides, and where
+ * there is opaque geometry so are all.
  */
 class MaximumRaster
 {

@@ -74,14 +74,14 @@ bool ThreePassRaster::Cut(vtkOpenGLRenderWindow* window, const RasterView& view,
   const PreparedVolume& prepared, const PreparedPolyhedra& polyhedra)
 {
   const ConvexCellBuffers& buffers = polyhedra.Buffers;
-  std::vector<glm::vec4> planes = CutCells::Planes(*view.Rays, {});
+  glm::vec4 nearPlane = CutCells::Planes(*view.Rays, {})[0];
   const std::vector<unsigned int> cut = CutCells::Find(
-    prepared.Coordinates.Points, buffers.GetCells().Corners, polyhedra.Selection, planes);
+    prepared.Coordinates.Points, buffers.GetCells().Corners, polyhedra.Selection, { nearPlane });
   this->WholeRanges = this->FindWholeCells(cut);
   this->CutRanges = Ranges();
-  planes[0].w -= Behind;
+  nearPlane.w -= Behind;
   CutSurfaces surfaces;
-  surfaces.Build(cut, planes[0], this->Whole, buffers.GetPieces(), prepared);
+  surfaces.Build(cut, nearPlane, this->Whole, buffers.GetPieces(), prepared);
   if (surfaces.Vertices.empty())
   {
     // The shader names them all the same.
@@ -174,8 +174,11 @@ bool ThreePassRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& view
   polyhedra.Buffers.Activate(program);
   window->GetState()->vtkglBlendFuncSeparate(GL_DST_ALPHA, GL_ONE, GL_ONE, GL_ONE);
   this->CutVertices.Activate(program, "cutVertices");
+  // A back face beyond the far plane ends its cell all the same: there the fragment does.
+  glEnable(GL_DEPTH_CLAMP);
   this->DrawRanges(program, this->WholeTriangles, this->WholeRanges);
   this->DrawRanges(program, this->CutTriangles, this->CutRanges);
+  glDisable(GL_DEPTH_CLAMP);
   this->CutVertices.Deactivate();
   polyhedra.Buffers.Deactivate();
   view.OpaqueDepth->Deactivate();
