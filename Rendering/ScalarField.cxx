@@ -89,3 +89,15 @@ bool ScalarField::FindCellRange(vtkIdType cell, const int* corners, int count, f
   }
   return finite;
 }
+
+//------------------------------------------------------------------------------
+std::array<float, 2> ScalarField::GetNormalisedRange() const
+{
+  const double width = this->Normal[1] - this->Normal[0];
+  std::array<float, 2> range{ { 0.0f, 0.0f } };
+  for (int end = 0; end < 2 && width > 0.0; ++end)
+  {
+    range[end] = static_cast<float>((this->Range[end] - this->Normal[0]) / width);
+  }
+  return range;
+}

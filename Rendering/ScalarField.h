@@ -3,6 +3,7 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <vector>
 
 class vtkDataArray;
@@ -18,6 +19,9 @@ public:
   /// `component`: which of the array's components; -1 takes the magnitude. `limits`: beyond them
   /// the transfer function is constant, and 0 and 1 of the normalised scalars lie within them.
   void Build(vtkDataArray* array, int component, bool onePerCell, const double limits[2]);
+
+  /// Range, normalised.
+  std::array<float, 2> GetNormalisedRange() const;
 
   /// The least and the greatest normalised scalar of a cell; false where one is not finite.
   bool FindCellRange(vtkIdType cell, const int* corners, int count, float range[2]) const;

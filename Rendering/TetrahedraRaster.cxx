@@ -5,18 +5,6 @@
 #include "TransferFunction.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
-#include "cpCellVertex.h"
-#include "cpDepthLayer.h"
-#include "cpFootprint.h"
-#include "cpHull.h"
-#include "cpIntegral.h"
-#include "cpLayerSearchFragment.h"
-#include "cpNearClip.h"
-#include "cpSegment.h"
-#include "cpTetrahedraFragment.h"
-#include "cpTetrahedraGeometry.h"
-#include "cpTetrahedronClip.h"
-#include "cpTransferFunction.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -25,31 +13,6 @@
 #include CELLPROJECTION_OPENGL_HEADER
 
 #include <algorithm>
-
-namespace
-{
-std::string GeometrySource()
-{
-  std::string source = cpTetrahedraGeometry;
-  vtkShaderProgram::Substitute(source, "//VTK::Footprint::Dec", cpFootprint);
-  vtkShaderProgram::Substitute(source, "//VTK::NearClip::Dec", cpNearClip);
-  vtkShaderProgram::Substitute(source, "//VTK::Hull::Dec", cpHull);
-  return source;
-}
-
-std::string FragmentSource(const char* main, const std::string& layer)
-{
-  std::string source = main;
-  vtkShaderProgram::Substitute(source, "//VTK::Clip::Dec", cpTetrahedronClip);
-  vtkShaderProgram::Substitute(source, "//VTK::TransferFunction::Dec", cpTransferFunction);
-  vtkShaderProgram::Substitute(source, "//VTK::Integral::Dec", cpIntegral);
-  vtkShaderProgram::Substitute(source, "//VTK::Segment::Dec", cpSegment);
-  vtkShaderProgram::Substitute(source, "//VTK::Layer::Dec", layer);
-  vtkShaderProgram::Substitute(
-    source, "//VTK::Layer::Impl", layer.empty() ? "" : "if (!isInLayer(c.depth.x))\n    discard;");
-  return source;
-}
-}
 
 //------------------------------------------------------------------------------
 bool TetrahedraRaster::Check(const TextureBuffer& buffer, bool uploaded)
@@ -104,29 +67,17 @@ bool TetrahedraRaster::UploadOrder(const DrawnCells& cells)
 }
 
 //------------------------------------------------------------------------------
-vtkShaderProgram* TetrahedraRaster::ReadyProgram(
-  vtkOpenGLRenderWindow* window, const std::string& fragment)
-{
-  // VTK's cache finds the compiled program by its source again: nothing to keep here.
-  static const std::string geometry = GeometrySource();
-  vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(cpCellVertex, fragment.c_str(), geometry.c_str());
-  return program && program->GetCompiled() ? program : nullptr;
-}
-
-//------------------------------------------------------------------------------
 bool TetrahedraRaster::BuildPrograms(
   vtkOpenGLRenderWindow* window, const View& view, bool withLayers, Programs& programs)
 {
-  static const std::string cells = FragmentSource(cpTetrahedraFragment, "");
-  static const std::string search = FragmentSource(cpLayerSearchFragment, "");
-  static const std::string layer = FragmentSource(cpTetrahedraFragment, cpDepthLayer);
+  using TetrahedraShaders::ReadyProgram;
+  using TetrahedraShaders::Task;
   if (withLayers)
   {
-    programs.Search = this->ReadyProgram(window, RayUniforms::WithRay(search, view));
-    programs.Layer = this->ReadyProgram(window, RayUniforms::WithRay(layer, view));
+    programs.Search = ReadyProgram(window, view, Task::LayerSearch, view.Integration);
+    programs.Layer = ReadyProgram(window, view, Task::Layer, view.Integration);
   }
-  programs.Cells = this->ReadyProgram(window, RayUniforms::WithRay(cells, view));
+  programs.Cells = ReadyProgram(window, view, Task::Cells, view.Integration);
   const bool compiled = programs.Cells && (!withLayers || (programs.Search && programs.Layer));
   if (!compiled)
   {
@@ -143,6 +94,11 @@ void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Activate(program, named.Sampler);
+  }
+  if (view.Integration == SegmentIntegration::Table)
+  {
+    this->Table.Activate(program);
+    program->SetUniformi("samplesPerSegment", view.SamplesPerSegment);
   }
 }
 
@@ -184,6 +140,10 @@ void TetrahedraRaster::EndCells(const View& view, const Programs& programs)
   for (const NamedBuffer& named : this->GetBuffers())
   {
     named.Buffer->Deactivate();
+  }
+  if (view.Integration == SegmentIntegration::Table)
+  {
+    this->Table.Deactivate();
   }
   view.OpaqueDepth->Deactivate();
   if (programs.Layer)
@@ -267,6 +227,7 @@ void TetrahedraRaster::ReleaseGraphicsResources(vtkWindow* window)
   {
     named.Buffer->ReleaseGraphicsResources(window);
   }
+  this->Table.ReleaseGraphicsResources(window);
   this->Order->ReleaseGraphicsResources();
   this->Layers.ReleaseGraphicsResources(window);
   this->VertexArray.ReleaseGraphicsResources();

@@ -4,7 +4,9 @@
 #include "DepthLayers.h"
 #include "DrawnCells.h"
 #include "EmptyVertexArray.h"
+#include "PreIntegrationTexture.h"
 #include "RasterView.h"
+#include "TetrahedraShaders.h"
 #include "TextureBuffer.h"
 #include "vtkNew.h"
 #include "vtkOpenGLBufferObject.h"
@@ -13,6 +15,7 @@
 #include <string>
 #include <vector>
 
+class PreIntegrationTable;
 class TransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -40,9 +43,17 @@ public:
   bool UploadScalars(vtkOpenGLRenderWindow* window, const std::vector<float>& scalars);
   bool UploadTransferFunction(vtkOpenGLRenderWindow* window, const TransferFunction& function);
   bool UploadOrder(const DrawnCells& cells);
+  /// False where the driver has no room for it.
+  bool UploadTable(vtkOpenGLRenderWindow* window, const PreIntegrationTable& table)
+  {
+    return this->Table.Upload(window, table);
+  }
 
   struct View : RasterView
   {
+    SegmentIntegration Integration = SegmentIntegration::Exact;
+    /// With a table: in how many parts a segment is looked up, at least.
+    int SamplesPerSegment = 1;
     /// What was uploaded, for the box of a cyclic group on the screen.
     const DrawnCells* Cells = nullptr;
     const std::vector<float>* Points = nullptr;
@@ -71,7 +82,6 @@ private:
   };
   bool BuildPrograms(
     vtkOpenGLRenderWindow* window, const View& view, bool withLayers, Programs& programs);
-  vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const std::string& fragment);
   bool BeginCells(vtkOpenGLRenderWindow* window, const View& view, Programs& programs);
   void EndCells(const View& view, const Programs& programs);
   void DrawRun(const DrawnCells::Run& run);
@@ -86,6 +96,7 @@ private:
   TextureBuffer Scalars;
   TextureBuffer NodePositions;
   TextureBuffer NodeValues;
+  PreIntegrationTexture Table;
   vtkNew<vtkOpenGLBufferObject> Order;
   DepthLayers Layers;
   EmptyVertexArray VertexArray;

@@ -3,6 +3,7 @@
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
 #include "DrawnCells.h"
+#include "PreIntegrationTable.h"
 #include "PreparedVolume.h"
 #include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
@@ -25,6 +26,8 @@ public:
   TetrahedraSelection Selection;
   DrawnCells Drawn;
   TetrahedraRaster Raster;
+  PreIntegrationTable Table;
+  vtkTimeStamp TableTime;
   vtkTimeStamp CornersTime;
   vtkTimeStamp SelectionTime;
   vtkTimeStamp DrawnOrderTime;
@@ -34,6 +37,7 @@ public:
   vtkTimeStamp ScalarsUploaded;
   vtkTimeStamp FunctionUploaded;
   vtkTimeStamp OrderUploaded;
+  vtkTimeStamp TableUploaded;
 };
 
 //------------------------------------------------------------------------------
@@ -80,6 +84,13 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   {
     internal.Selection.Classify(prepared.Scalars, prepared.Function);
     internal.SelectionTime.Modified();
+  }
+  if (this->Integration == TABLE &&
+      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
+  {
+    const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
+    internal.Table.Build(prepared.Function, range.data(), this->TableSize);
+    internal.TableTime.Modified();
   }
 }
 
@@ -187,9 +198,32 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 }
 
 //------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::UploadTable(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  if (internal.TableUploaded < internal.TableTime)
+  {
+    if (!internal.Raster.UploadTable(frame.Window, internal.Table))
+    {
+      this->WarnOnce("The driver has no room for a pre-integration table of size " +
+                     std::to_string(this->TableSize) +
+                     ": drawn with the exact integral; call SetTableSize with less.");
+      return false;
+    }
+    internal.TableUploaded.Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
 {
   TetrahedraRaster::View view;
+  view.SamplesPerSegment = this->SamplesPerSegment;
+  view.Integration = this->Integration == AVERAGE ? SegmentIntegration::Average
+                     : this->Integration == TABLE && this->UploadTable(frame)
+                       ? SegmentIntegration::Table
+                       : SegmentIntegration::Exact;
   static_cast<RasterView&>(view) = frame.GetRasterView();
   view.Cells = &this->Internal->Drawn;
   view.Points = &this->GetPreparedVolume().Coordinates.Points;
@@ -215,6 +249,7 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* windo
   internal.ScalarsUploaded = vtkTimeStamp();
   internal.FunctionUploaded = vtkTimeStamp();
   internal.OrderUploaded = vtkTimeStamp();
+  internal.TableUploaded = vtkTimeStamp();
   this->Superclass::ReleaseGraphicsResources(window);
 }
 
@@ -222,6 +257,9 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* windo
 void vtkPreIntegratedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
+  os << indent << "Integration: " << this->Integration << "\n";
+  os << indent << "TableSize: " << this->TableSize << "\n";
+  os << indent << "SamplesPerSegment: " << this->SamplesPerSegment << "\n";
   os << indent << "ReportOrder: " << this->ReportOrder << "\n";
   os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
 }

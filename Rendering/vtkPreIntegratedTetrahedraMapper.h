@@ -12,9 +12,9 @@ class vtkVisibilitySort;
  * @brief Absorption and emission by exact projected tetrahedra.
  *
  * Every cell is cut into tetrahedra (vtkConvexCells), these are sorted from back to front and each
- * is projected with the exact integral of emission and absorption: entry and exit from the cell's
- * four planes, split at the transfer function's points, exact alpha, Gauss quadrature in the
- * colour. After Roettger and Ertl, "Cell projection of convex polyhedra", 2003, and Roettger,
+ * is projected, by default with the exact integral of emission and absorption: entry and exit from
+ * the cell's four planes, split at the transfer function's points, exact alpha, Gauss quadrature in
+ * the colour. After Roettger and Ertl, "Cell projection of convex polyhedra", 2003, and Roettger,
  * Guthe, Schieber and Ertl, "Convexification of unstructured grids", 2004, section 8.
  *
  * Where the order is right the image is within 1e-3 of a float64 ray caster (the tests' bound).
@@ -41,6 +41,46 @@ public:
    */
   virtual void SetVisibilitySort(vtkVisibilitySort* sort);
   vtkVisibilitySort* GetVisibilitySort();
+  ///@}
+
+  enum IntegrationType
+  {
+    EXACT = 0,
+    TABLE = 1,
+    AVERAGE = 2
+  };
+
+  ///@{
+  /**
+   * How emission and absorption between entry and exit of a cell are found. Exact: split at the
+   * transfer function's points. Table: looked up in a pre-integration table (Roettger et al. 2004,
+   * section 8), built again when the transfer function changes; where the driver has no room for it
+   * one warning says so and Exact is drawn. Average: the mean of colour and extinction at both ends
+   * (Shirley and Tuchman 1990), which misses what the transfer function does between them.
+   * Default: Exact.
+   */
+  vtkSetClampMacro(Integration, int, EXACT, AVERAGE);
+  vtkGetMacro(Integration, int);
+  void SetIntegrationToExact() { this->SetIntegration(EXACT); }
+  void SetIntegrationToTable() { this->SetIntegration(TABLE); }
+  void SetIntegrationToAverage() { this->SetIntegration(AVERAGE); }
+  ///@}
+
+  ///@{
+  /**
+   * N of a table of N x N x N / 4 entries of 16 bytes: scalars at front and back, length. Its error
+   * is of first order in 1 / N. Default: 128.
+   */
+  vtkSetClampMacro(TableSize, int, 32, 256);
+  vtkGetMacro(TableSize, int);
+  ///@}
+
+  ///@{
+  /**
+   * In how many parts a cell's segment is looked up in the table, at least. Default: 1.
+   */
+  vtkSetClampMacro(SamplesPerSegment, int, 1, 16);
+  vtkGetMacro(SamplesPerSegment, int);
   ///@}
 
   ///@{
@@ -78,7 +118,11 @@ private:
   bool UploadCells(CellProjectionFrame& frame);
   bool UploadField(CellProjectionFrame& frame);
   bool UploadOrder();
+  bool UploadTable(CellProjectionFrame& frame);
 
+  int Integration = EXACT;
+  int TableSize = 128;
+  int SamplesPerSegment = 1;
   bool ReportOrder = false;
 
   class Internals;

@@ -1,0 +1,40 @@
+#ifndef PreIntegrationTable_h
+#define PreIntegrationTable_h
+
+#include <vector>
+
+class TransferFunction;
+
+/**
+ * @class PreIntegrationTable
+ * @brief Emission and absorption of segments by front scalar, back scalar and length.
+ *
+ * Paper: Roettger, Guthe, Schieber and Ertl, "Convexification of unstructured grids", 2004,
+ * section 8. Lengths l enter as 1 - 2^-l, so that one table holds for all of them; its unit is the
+ * length over which the greatest extinction makes an optical depth of 1. Stored are the mean
+ * extinction, from which the opacity is rebuilt exactly, and the colour over that opacity.
+ *
+ * Texels: Size x Size x Size / 4 x 4 floats, front scalar fastest: red, green, blue, extinction.
+ * Front and back scalar i stand for Low + i (High - Low) / (Size - 1), length k for
+ * 1 - 2^-l = k / (Size / 4). Read with linear interpolation. Where the transfer function bends the
+ * error is of first order in 1 / Size.
+ */
+class PreIntegrationTable
+{
+public:
+  /// `range`: the normalised scalars that occur. Uses all threads.
+  void Build(const TransferFunction& function, const float range[2], int size);
+
+  /// The longest segment that the table holds, in units of its length.
+  double GetGreatestLength() const;
+
+  std::vector<float> Texels;
+  int Size = 0;
+  float Range[2] = { 0.0f, 1.0f };
+  float GreatestExtinction = 0.0f;
+
+private:
+  void FillRow(const TransferFunction& function, int back);
+};
+
+#endif

@@ -1,0 +1,36 @@
+#ifndef TetrahedraShaders_h
+#define TetrahedraShaders_h
+
+struct RasterView;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+
+/// How emission and absorption along a segment are found.
+enum class SegmentIntegration
+{
+  Exact,
+  Table,
+  Average
+};
+
+/**
+ * @class TetrahedraShaders
+ * @brief The programs that draw tetrahedra as one point each.
+ */
+namespace TetrahedraShaders
+{
+/// What a program is for: all cells as they come, or of cyclic groups the next layer's depth or its
+/// colour.
+enum class Task
+{
+  Cells,
+  LayerSearch,
+  Layer
+};
+
+/// Null where it does not compile. VTK's cache finds the compiled program by its source again.
+vtkShaderProgram* ReadyProgram(
+  vtkOpenGLRenderWindow* window, const RasterView& view, Task task, SegmentIntegration integration);
+}
+
+#endif
