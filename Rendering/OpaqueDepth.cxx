@@ -56,7 +56,7 @@ public:
     state->vtkglBindFramebuffer(GL_DRAW_FRAMEBUFFER, this->Framebuffer);
     glFramebufferRenderbuffer(
       GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_RENDERBUFFER, this->Renderbuffer);
-    glDrawBuffer(GL_NONE);
+    state->vtkglDrawBuffer(GL_NONE);
   }
   ~ResolveTarget()
   {
@@ -142,7 +142,7 @@ bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], co
       size[1], GL_DEPTH_BUFFER_BIT, GL_NEAREST);
     state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, target.Framebuffer);
     // A framebuffer without colour is complete for reading only if no colour is to be read.
-    glReadBuffer(GL_NONE);
+    state->vtkglReadBuffer(GL_NONE);
     const int corner[2] = { 0, 0 };
     this->CopyBound(corner, size);
     state->PopFramebufferBindings();
