@@ -46,7 +46,15 @@ struct CellComplex
   int NumberOfNonManifoldFaces = 0;
   /** Triangles whose cells lie on the same side: they overlap, and no contact orders them. */
   int NumberOfOverlappingFaces = 0;
+  /** Pairs of cells that touch in faces that do not match (T-junctions); no contact orders them. */
+  int NumberOfNonconformingPairs = 0;
 
+  /** Whether the cells are a complex, as far as their faces tell. */
+  bool IsComplex() const
+  {
+    return this->NumberOfNonManifoldFaces == 0 && this->NumberOfOverlappingFaces == 0 &&
+           this->NumberOfNonconformingPairs == 0;
+  }
   /** The diagonal of the box about the centres. */
   double GetSize() const
   {

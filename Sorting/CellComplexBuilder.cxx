@@ -1,6 +1,7 @@
 #include "CellComplexBuilder.h"
 
 #include "ExactOrientation.h"
+#include "NonconformingFaces.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -52,6 +53,7 @@ void CellComplexBuilder::Build(const std::vector<FaceTriangle>& triangles, CellC
   builder.Match(false);
   builder.Match(true);
   builder.DropCoplanarContacts();
+  complex.NumberOfNonconformingPairs = NonconformingFaces::CountCellPairs(complex);
 }
 
 //------------------------------------------------------------------------------
