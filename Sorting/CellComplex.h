@@ -8,6 +8,8 @@
 #ifndef CellComplex_h
 #define CellComplex_h
 
+#include "vtkBoundingBox.h"
+
 #include <vector>
 
 struct CellComplex
@@ -32,6 +34,8 @@ struct CellComplex
   std::vector<double> Points;
   /** Three per cell: the mean of its corners. */
   std::vector<double> Centers;
+  /** About the centres. */
+  vtkBoundingBox CenterBox;
   int NumberOfCells = 0;
 
   std::vector<Contact> Contacts;
@@ -42,6 +46,20 @@ struct CellComplex
   int NumberOfNonManifoldFaces = 0;
   /** Triangles whose cells lie on the same side: they overlap, and no contact orders them. */
   int NumberOfOverlappingFaces = 0;
+  /** Pairs of cells that touch in faces that do not match (T-junctions); no contact orders them. */
+  int NumberOfNonconformingPairs = 0;
+
+  /** Whether the cells are a complex, as far as their faces tell. */
+  bool IsComplex() const
+  {
+    return this->NumberOfNonManifoldFaces == 0 && this->NumberOfOverlappingFaces == 0 &&
+           this->NumberOfNonconformingPairs == 0;
+  }
+  /** The diagonal of the box about the centres. */
+  double GetSize() const
+  {
+    return this->CenterBox.IsValid() ? this->CenterBox.GetDiagonalLength() : 0.0;
+  }
 };
 
 #endif

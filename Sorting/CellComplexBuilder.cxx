@@ -1,7 +1,7 @@
 #include "CellComplexBuilder.h"
 
 #include "ExactOrientation.h"
-#include "vtkBoundingBox.h"
+#include "NonconformingFaces.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -29,16 +29,6 @@ bool HasArea(const double* a, const double* b, const double* c)
 // Share of the mesh's diagonal by which rounding warps a face.
 constexpr double PlanarTolerance = 1e-12;
 
-double FindSize(const std::vector<double>& points)
-{
-  vtkBoundingBox box;
-  for (size_t i = 0; i < points.size(); i += 3)
-  {
-    box.AddPoint(points[i], points[i + 1], points[i + 2]);
-  }
-  return box.IsValid() ? box.GetDiagonalLength() : 0.0;
-}
-
 bool IsInPlane(const double* points, const int triangle[3], int point, double tolerance)
 {
   const double *a = points + 3LL * triangle[0], *b = points + 3LL * triangle[1],
@@ -63,6 +53,7 @@ void CellComplexBuilder::Build(const std::vector<FaceTriangle>& triangles, CellC
   builder.Match(false);
   builder.Match(true);
   builder.DropCoplanarContacts();
+  complex.NumberOfNonconformingPairs = NonconformingFaces::CountCellPairs(complex);
 }
 
 //------------------------------------------------------------------------------
@@ -268,7 +259,7 @@ void CellComplexBuilder::DropCoplanarContacts()
   // for they have the smallest id and the cells in common.
   std::vector<CellComplex::Contact>& contacts = this->Complex.Contacts;
   const double* points = this->Complex.Points.data();
-  const double tolerance = PlanarTolerance * FindSize(this->Complex.Centers);
+  const double tolerance = PlanarTolerance * this->Complex.GetSize();
   const auto isSaidBefore = [&](int at)
   {
     const CellComplex::Contact& c = contacts[at];

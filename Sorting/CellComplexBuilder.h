@@ -13,8 +13,8 @@
 class CellComplexBuilder
 {
 public:
-  /** Fills contacts, boundary and counts; points, centres and the number of cells stay as they
-   *  are. */
+  /** Fills contacts, boundary and counts; points, centres with their box and the number of cells
+   *  stay as they are. */
   static void Build(const std::vector<FaceTriangle>& triangles, CellComplex& complex);
 
 private:

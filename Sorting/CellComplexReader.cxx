@@ -44,6 +44,7 @@ private:
   void FindTypes();
   void PlaceCells();
   void SetCenter(vtkIdType cell, const std::vector<int>& points);
+  void FindCenterBox();
 
   vtkDataSet* Input;
   CellComplex& Complex;
@@ -137,6 +138,16 @@ void Reader::SetCenter(vtkIdType cell, const std::vector<int>& points)
 }
 
 //------------------------------------------------------------------------------
+void Reader::FindCenterBox()
+{
+  const std::vector<double>& centers = this->Complex.Centers;
+  for (size_t i = 0; i < centers.size(); i += 3)
+  {
+    this->Complex.CenterBox.AddPoint(centers[i], centers[i + 1], centers[i + 2]);
+  }
+}
+
+//------------------------------------------------------------------------------
 void Reader::AddFaces(
   vtkIdType cell, vtkGenericCell* generic, const std::vector<int>& points, CellFaces& faces) const
 {
@@ -212,6 +223,7 @@ std::vector<FaceTriangle> Reader::ReadCells()
           chunk * CellsPerChunk, std::min(cells, (chunk + 1) * CellsPerChunk), parts[chunk]);
       }
     });
+  this->FindCenterBox();
   std::vector<FaceTriangle> triangles;
   for (CellFaces& part : parts)
   {

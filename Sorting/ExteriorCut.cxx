@@ -1,7 +1,7 @@
 #include "ExteriorCut.h"
 
 #include "ExteriorGeometry.h"
-#include "PlaneDivision.h"
+#include "vtkMath.h"
 
 #include <algorithm>
 
@@ -126,10 +126,11 @@ int ExteriorCut::FindIntersection(int from, int to)
 }
 
 //------------------------------------------------------------------------------
-void ExteriorCut::Close(ExteriorPart& below, ExteriorPart& above)
+PlaneDivision ExteriorCut::FindOutline(const ExteriorPart& half, bool turned, double& gap) const
 {
-  PlaneDivision section;
-  for (const ExteriorFace& face : below.Faces)
+  PlaneDivision outline;
+  double sum[3] = { 0.0, 0.0, 0.0 };
+  for (const ExteriorFace& face : half.Faces)
   {
     for (size_t i = 0; i < face.Corners.size(); ++i)
     {
@@ -138,15 +139,32 @@ void ExteriorCut::Close(ExteriorPart& below, ExteriorPart& above)
       if (this->Geometry.SideOf(this->Plane, from) == 0 &&
           this->Geometry.SideOf(this->Plane, to) == 0)
       {
-        // The section runs against the faces that it closes.
-        section.AddEdge(to, from);
+        outline.AddEdge(turned ? to : from, turned ? from : to);
+        for (int k = 0; k < 3; ++k)
+        {
+          sum[k] += this->Geometry.At(to)[k] - this->Geometry.At(from)[k];
+        }
       }
     }
   }
+  gap = vtkMath::Norm(sum);
+  return outline;
+}
+
+//------------------------------------------------------------------------------
+void ExteriorCut::Close(ExteriorPart& below, ExteriorPart& above)
+{
+  // The section runs against the faces that it closes. Both halves have its outline; where a point
+  // is hardly beyond the tolerance, one of them lacks an edge of it.
+  double gapBelow = 0.0, gapAbove = 0.0;
+  const PlaneDivision outlineBelow = this->FindOutline(below, true, gapBelow);
+  const PlaneDivision outlineAbove = this->FindOutline(above, false, gapAbove);
+  const PlaneDivision& outline =
+    gapBelow <= gapAbove + this->Geometry.Tolerance ? outlineBelow : outlineAbove;
   ExteriorFace pattern;
   pattern.Plane = this->Plane;
   pattern.Cut = this->Cut;
-  for (ExteriorFace& face : section.Run(this->Geometry, pattern))
+  for (ExteriorFace& face : outline.Run(this->Geometry, pattern))
   {
     below.Faces.push_back(face);
     std::reverse(face.Corners.begin(), face.Corners.end());

@@ -8,6 +8,7 @@
 #define ExteriorCut_h
 
 #include "ExteriorPart.h"
+#include "PlaneDivision.h"
 
 #include <map>
 #include <utility>
@@ -28,6 +29,9 @@ private:
   void Distribute(const ExteriorFace& face, ExteriorPart& below, ExteriorPart& above);
   ExteriorFace Clip(const ExteriorFace& face, int side);
   int FindIntersection(int from, int to);
+  /** The edges of a half that lie in the plane, turned round or not, and how far they are from
+   *  closed. */
+  PlaneDivision FindOutline(const ExteriorPart& half, bool turned, double& gap) const;
   void Close(ExteriorPart& below, ExteriorPart& above);
 
   ExteriorGeometry& Geometry;

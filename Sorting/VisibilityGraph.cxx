@@ -5,7 +5,6 @@
 #include "GroupOrder.h"
 #include "ImaginaryCenters.h"
 #include "MortonOrder.h"
-#include "vtkBoundingBox.h"
 #include "vtkMath.h"
 #include "vtkSMPTools.h"
 
@@ -19,7 +18,13 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
   this->Points = &complex.Points;
   this->NumberOfMeshCells = complex.NumberOfCells;
   this->Centers = ImaginaryCenters::Append(complex, imaginary);
-  const vtkBoundingBox box = this->NumberCells();
+  // Imaginary cells may reach beyond the mesh.
+  vtkBoundingBox box = complex.CenterBox;
+  for (size_t i = complex.Centers.size(); i < this->Centers.size(); i += 3)
+  {
+    box.AddPoint(this->Centers[i], this->Centers[i + 1], this->Centers[i + 2]);
+  }
+  this->NumberCells(box);
   this->TakeContacts(complex, imaginary);
   this->LinkCells();
   double center[3] = { 0.0, 0.0, 0.0 };
@@ -33,13 +38,8 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
 }
 
 //------------------------------------------------------------------------------
-vtkBoundingBox VisibilityGraph::NumberCells()
+void VisibilityGraph::NumberCells(const vtkBoundingBox& box)
 {
-  vtkBoundingBox box;
-  for (size_t i = 0; i < this->Centers.size(); i += 3)
-  {
-    box.AddPoint(this->Centers[i], this->Centers[i + 1], this->Centers[i + 2]);
-  }
   this->InputId = MortonOrder::Find(this->Centers, box);
   std::stable_partition(this->InputId.begin(), this->InputId.end(),
     [this](int input) { return input < this->NumberOfMeshCells; });
@@ -49,7 +49,6 @@ vtkBoundingBox VisibilityGraph::NumberCells()
     std::copy_n(&this->Centers[3 * static_cast<size_t>(this->InputId[own])], 3, &centers[3 * own]);
   }
   this->Centers.swap(centers);
-  return box;
 }
 
 //------------------------------------------------------------------------------

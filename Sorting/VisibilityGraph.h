@@ -23,7 +23,6 @@
 #include <utility>
 #include <vector>
 
-class vtkBoundingBox;
 struct ImaginaryCells;
 
 class VisibilityGraph
@@ -66,7 +65,7 @@ private:
   static constexpr int WaitingUnit = 8;
   static constexpr int LongList = 4;
 
-  vtkBoundingBox NumberCells();
+  void NumberCells(const vtkBoundingBox& box);
   void TakeContacts(const CellComplex& complex, const ImaginaryCells* imaginary);
   void LinkCells();
 

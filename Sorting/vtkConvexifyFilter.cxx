@@ -82,14 +82,14 @@ void vtkConvexifyFilter::Report(const CellComplex& complex, const Convexificatio
   this->DiscardedVolume = result.DiscardedVolume;
   this->EnclosureVolume = result.EnclosureVolume;
   this->Seconds = 0.0;
-  if (complex.NumberOfNonManifoldFaces > 0 || complex.NumberOfOverlappingFaces > 0 ||
-      result.VolumeError > LargestVolumeError)
+  if (!complex.IsComplex() || result.VolumeError > LargestVolumeError)
   {
     vtkWarningMacro(
       "The mesh is no cell complex: "
       << complex.NumberOfNonManifoldFaces << " faces are shared by more than two cells, "
-      << complex.NumberOfOverlappingFaces << " by cells on the same side, and the imaginary cells "
-      << "miss " << 100.0 * result.VolumeError
+      << complex.NumberOfOverlappingFaces << " by cells on the same side, "
+      << complex.NumberOfNonconformingPairs << " pairs of cells touch in faces that do not match, "
+      << "and the imaginary cells miss " << 100.0 * result.VolumeError
       << " % of the enclosure. Its order cannot be proven.");
   }
 }

@@ -243,14 +243,14 @@ void vtkProvenVisibilitySort::ReportComplex()
 {
   const CellComplex& complex = this->Internal->Complex;
   if (!this->Internal->Reported &&
-      (complex.NumberOfNonManifoldFaces > 0 || complex.NumberOfOverlappingFaces > 0 ||
-        this->Internal->VolumeError > LargestVolumeError))
+      (!complex.IsComplex() || this->Internal->VolumeError > LargestVolumeError))
   {
     vtkWarningMacro(
       "The cells are no complex: "
       << complex.NumberOfNonManifoldFaces << " faces are shared by more than two cells, "
-      << complex.NumberOfOverlappingFaces << " by cells on the same side, and "
-      << 100.0 * this->Internal->VolumeError
+      << complex.NumberOfOverlappingFaces << " by cells on the same side, "
+      << complex.NumberOfNonconformingPairs << " pairs of cells touch in faces that do not match, "
+      << "and " << 100.0 * this->Internal->VolumeError
       << " % of the convex hull cannot be filled about them. They are sorted, but their order "
          "cannot be proven.");
   }
@@ -261,9 +261,7 @@ void vtkProvenVisibilitySort::ReportComplex()
 bool vtkProvenVisibilitySort::IsComplexConvex()
 {
   this->GetImaginaryCells();
-  const CellComplex& complex = this->Internal->Complex;
-  return this->Internal->IsFilled && complex.NumberOfNonManifoldFaces == 0 &&
-         complex.NumberOfOverlappingFaces == 0;
+  return this->Internal->IsFilled && this->Internal->Complex.IsComplex();
 }
 
 //------------------------------------------------------------------------------

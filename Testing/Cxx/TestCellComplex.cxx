@@ -236,6 +236,21 @@ void TestNoComplex()
   CheckCounts(Read(twice), 0, 0, 4);
 }
 
+// The box about the centres, which sorts measure rounding by.
+void TestCenterBox()
+{
+  auto grid = MakeGrid({});
+  AddShape(grid, Shapes().front(), false);
+  AddShape(grid, Shapes().front(), true);
+  const CellComplex complex = Read(grid);
+  double bounds[6];
+  complex.CenterBox.GetBounds(bounds);
+  const double expected[6] = { -0.5, 0.5, 0.5, 0.5, 0.5, 0.5 };
+  CHECK(std::equal(bounds, bounds + 6, expected));
+  CHECK_EQUAL(complex.GetSize(), 1.0);
+  CHECK_EQUAL(Read(MakeGrid({})).GetSize(), 0.0);
+}
+
 // Neither has faces; both keep their numbers.
 void TestCellsWithoutFaces()
 {
@@ -264,5 +279,6 @@ int TestCellComplex(int, char*[])
   TestFlatCell();
   TestNoComplex();
   TestCellsWithoutFaces();
+  TestCenterBox();
   return Result();
 }
