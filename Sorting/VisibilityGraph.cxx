@@ -5,7 +5,6 @@
 #include "GroupOrder.h"
 #include "ImaginaryCenters.h"
 #include "MortonOrder.h"
-#include "vtkMath.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -26,13 +25,14 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
   }
   this->NumberCells(box);
   this->TakeContacts(complex, imaginary);
-  this->LinkCells();
+  this->Links.Build(this->Contacts, static_cast<int>(this->InputId.size()));
   double center[3] = { 0.0, 0.0, 0.0 };
   if (box.IsValid())
   {
     box.GetCenter(center);
   }
-  this->Signs.Build(
+  this->CellSort.Build(this->Links, this->Centers, center, this->NumberOfMeshCells);
+  this->Links.Signs.Build(
     complex.Points, this->Contacts, center, box.IsValid() ? box.GetDiagonalLength() : 0.0);
   this->Sorted = false;
 }
@@ -84,34 +84,9 @@ void VisibilityGraph::TakeContacts(const CellComplex& complex, const ImaginaryCe
 }
 
 //------------------------------------------------------------------------------
-void VisibilityGraph::LinkCells()
-{
-  const size_t cells = this->InputId.size();
-  this->LinkOffsets.assign(cells + 1, 0);
-  for (const CellComplex::Contact& contact : this->Contacts)
-  {
-    ++this->LinkOffsets[contact.Cells[0] + 1];
-    ++this->LinkOffsets[contact.Cells[1] + 1];
-  }
-  std::partial_sum(this->LinkOffsets.begin(), this->LinkOffsets.end(), this->LinkOffsets.begin());
-  std::vector<int> next = this->LinkOffsets;
-  this->Links.resize(2 * this->Contacts.size());
-  for (int i = 0; i < static_cast<int>(this->Contacts.size()); ++i)
-  {
-    for (int side = 0; side < 2; ++side)
-    {
-      const int cell = this->Contacts[i].Cells[side];
-      this->Links[next[cell]++] = { this->Contacts[i].Cells[1 - side], 2 * i + side };
-    }
-  }
-  this->LongLists.resize(this->Links.size());
-  this->Cells.resize(cells);
-}
-
-//------------------------------------------------------------------------------
 bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
 {
-  const bool changed = this->Signs.Update(this->Contacts, eye);
+  const bool changed = this->Links.Signs.Update(this->Contacts, eye);
   // What the centres tell apart changes without a sign.
   if (this->Sorted && !changed && !centersFirst && !this->SortedByCenters)
   {
@@ -121,12 +96,8 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
   this->SortedByCenters = centersFirst;
   this->GroupCells.clear();
   this->GroupOffsets.assign(1, 0);
-  this->FindNearer();
-  this->FindSources(eye, centersFirst);
-  this->OwnOrder.resize(static_cast<size_t>(this->NumberOfMeshCells));
-  this->NumberOrdered = 0;
-  this->SortTopologically();
-  if (this->NumberOrdered < this->NumberOfMeshCells)
+  this->CellSort.Sort(eye, centersFirst);
+  if (this->CellSort.HasRest())
   {
     this->SortGroups(eye);
   }
@@ -135,119 +106,16 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
 }
 
 //------------------------------------------------------------------------------
-void VisibilityGraph::FindNearer()
-{
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Cells.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType cell = begin; cell < end; ++cell)
-      {
-        this->FindNearer(cell);
-      }
-    });
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::FindNearer(vtkIdType cell)
-{
-  const int first = this->LinkOffsets[cell];
-  const int last = this->LinkOffsets[cell + 1];
-  Cell& own = this->Cells[cell];
-  int few[4] = { 0, 0, 0, 0 };
-  int* list = last - first <= 4 ? few : &this->LongLists[first];
-  int nearer = 0;
-  int farther = 0;
-  for (int link = first; link < last; ++link)
-  {
-    const int across = this->CompareAcross(link);
-    farther += across < 0 ? 1 : 0;
-    // Written in any case, kept where it counts: no branch to guess.
-    list[nearer] = this->Links[link].Neighbor;
-    nearer += across > 0 ? 1 : 0;
-  }
-  if (nearer > 3)
-  {
-    std::copy_n(list, nearer, &this->LongLists[first]);
-    own = { farther * WaitingUnit + LongList, { first, first + nearer, 0 } };
-    return;
-  }
-  own.State = farther * WaitingUnit + nearer;
-  // All three, for a fixed number is copied without a loop.
-  std::copy_n(list, 3, own.Nearer);
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::FindSources(const double eye[4], bool centersFirst)
-{
-  this->Stack.clear();
-  for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)
-  {
-    if (!this->IsWaiting(cell))
-    {
-      this->Stack.push_back(cell);
-    }
-  }
-  if (centersFirst)
-  {
-    // The stack's end is taken first.
-    std::sort(this->Stack.begin(), this->Stack.end(),
-      [&](int a, int b) { return this->GetDistance(a, eye) < this->GetDistance(b, eye); });
-  }
-}
-
-//------------------------------------------------------------------------------
-double VisibilityGraph::GetDistance(int cell, const double eye[4]) const
-{
-  const double* center = &this->Centers[3 * static_cast<size_t>(cell)];
-  return eye[3] == 0.0 ? -vtkMath::Dot(center, eye) : vtkMath::Distance2BetweenPoints(center, eye);
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::SortTopologically()
-{
-  // Plain pointers: this loop is most of the time that a frame takes.
-  const size_t sources = this->Stack.size();
-  this->Stack.resize(this->InputId.size() + 1);
-  int* top = this->Stack.data() + sources;
-  int* ordered = this->OwnOrder.data() + this->NumberOrdered;
-  Cell* cells = this->Cells.data();
-  while (top != this->Stack.data())
-  {
-    const int cell = *--top;
-    if (this->IsMeshCell(cell))
-    {
-      *ordered++ = cell;
-    }
-    const Cell& own = cells[cell];
-    const int* nearer = own.Nearer;
-    const int* end = nearer + own.State;
-    if (own.State == LongList)
-    {
-      nearer = &this->LongLists[0] + own.Nearer[0];
-      end = &this->LongLists[0] + own.Nearer[1];
-    }
-    for (; nearer != end; ++nearer)
-    {
-      if ((cells[*nearer].State -= WaitingUnit) < WaitingUnit)
-      {
-        *top++ = *nearer;
-      }
-    }
-  }
-  this->Stack.clear();
-  this->NumberOrdered = static_cast<int>(ordered - this->OwnOrder.data());
-}
-
-//------------------------------------------------------------------------------
 void VisibilityGraph::TakeInputIds()
 {
-  this->Order.resize(this->OwnOrder.size());
+  const std::vector<int>& order = this->CellSort.GetOrder();
+  this->Order.resize(order.size());
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->Order.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        this->Order[i] = this->InputId[this->OwnOrder[i]];
+        this->Order[i] = this->InputId[order[i]];
       }
     });
 }
@@ -256,7 +124,8 @@ void VisibilityGraph::TakeInputIds()
 void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
 {
   std::sort(group.begin(), group.end(),
-    [&](int a, int b) { return this->GetDistance(a, eye) > this->GetDistance(b, eye); });
+    [&](int a, int b)
+    { return this->CellSort.GetDistance(a, eye) > this->CellSort.GetDistance(b, eye); });
   const auto imaginary = std::stable_partition(
     group.begin(), group.end(), [this](int cell) { return this->IsMeshCell(cell); });
   std::unordered_map<int, int> placeOf;
@@ -277,7 +146,7 @@ void VisibilityGraph::AppendGroup(std::vector<int>& group, const double eye[4])
   {
     for (const int place : circle)
     {
-      this->OwnOrder[this->NumberOrdered++] = group[place];
+      this->CellSort.Append(group[place]);
       if (circle.size() > 1)
       {
         this->GroupCells.push_back(this->InputId[group[place]]);
@@ -298,10 +167,10 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindRelations(
   for (int place = 0; place < static_cast<int>(placeOf.size()); ++place)
   {
     const int cell = group[place];
-    for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
+    for (int link = this->Links.Begin(cell); link < this->Links.End(cell); ++link)
     {
-      const auto nearer = placeOf.find(this->Links[link].Neighbor);
-      if (nearer != placeOf.end() && this->CompareAcross(link) > 0)
+      const auto nearer = placeOf.find(this->Links.GetNeighbor(link));
+      if (nearer != placeOf.end() && this->Links.CompareAcross(link) > 0)
       {
         relations.emplace_back(place, nearer->second);
       }
@@ -318,12 +187,12 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
   std::set<std::array<int, 4>> seen;
   for (const auto& cell : placeOf)
   {
-    for (int link = this->LinkOffsets[cell.first]; link < this->LinkOffsets[cell.first + 1]; ++link)
+    for (int link = this->Links.Begin(cell.first); link < this->Links.End(cell.first); ++link)
     {
-      const int across = this->CompareAcross(link);
-      const int* p = this->Contacts[this->Links[link].ContactAndSide >> 1].Points;
+      const int across = this->Links.CompareAcross(link);
+      const int* p = this->Contacts[this->Links.GetContact(link)].Points;
       // A triangle may touch several imaginary cells.
-      if (!this->IsMeshCell(this->Links[link].Neighbor) && across != 0 &&
+      if (!this->IsMeshCell(this->Links.GetNeighbor(link)) && across != 0 &&
           seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
       {
         (across > 0 ? far : near).push_back({ { p[0], p[1], p[2] }, cell.second });
@@ -341,50 +210,26 @@ void VisibilityGraph::SortGroups(const double eye[4])
   this->Components.Reset(static_cast<int>(this->InputId.size()));
   const auto getEdge = [&](int cell, int edge)
   {
-    const int link = this->LinkOffsets[cell] + edge;
-    if (link >= this->LinkOffsets[cell + 1])
+    const int link = this->Links.Begin(cell) + edge;
+    if (link >= this->Links.End(cell))
     {
       return -2;
     }
-    const int neighbor = this->Links[link].Neighbor;
-    return this->CompareAcross(link) < 0 && this->IsWaiting(neighbor) ? neighbor : -1;
+    const int neighbor = this->Links.GetNeighbor(link);
+    return this->Links.CompareAcross(link) < 0 && this->CellSort.IsWaiting(neighbor) ? neighbor
+                                                                                     : -1;
   };
   for (int cell = 0; cell < static_cast<int>(this->InputId.size()); ++cell)
   {
-    if (this->IsWaiting(cell) && !this->Components.HasSeen(cell))
+    if (this->CellSort.IsWaiting(cell) && !this->Components.HasSeen(cell))
     {
       this->Components.Walk(
-        cell, getEdge, [this](int placed) { return !this->IsWaiting(placed); },
+        cell, getEdge, [this](int placed) { return !this->CellSort.IsWaiting(placed); },
         [&](std::vector<int>& group)
         {
           this->AppendGroup(group, eye);
-          this->Release(group);
-          this->SortTopologically();
+          this->CellSort.Release(group);
         });
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::Release(const std::vector<int>& group)
-{
-  for (const int cell : group)
-  {
-    this->Cells[cell].State %= WaitingUnit;
-  }
-  for (const int cell : group)
-  {
-    for (int link = this->LinkOffsets[cell]; link < this->LinkOffsets[cell + 1]; ++link)
-    {
-      const int neighbor = this->Links[link].Neighbor;
-      if (this->CompareAcross(link) > 0 && this->IsWaiting(neighbor))
-      {
-        this->Cells[neighbor].State -= WaitingUnit;
-        if (!this->IsWaiting(neighbor))
-        {
-          this->Stack.push_back(neighbor);
-        }
-      }
     }
   }
 }

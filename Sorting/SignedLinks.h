@@ -1,0 +1,50 @@
+/**
+ * Which cells touch, cell by cell, and which of two is nearer to the eye.
+ */
+#ifndef SignedLinks_h
+#define SignedLinks_h
+
+#include "CellComplex.h"
+#include "ContactSigns.h"
+
+#include <vector>
+
+class SignedLinks
+{
+public:
+  /** `contacts` by the numbers of cells below `numberOfCells`. */
+  void Build(const std::vector<CellComplex::Contact>& contacts, int numberOfCells);
+
+  int GetNumberOfCells() const { return static_cast<int>(this->Offsets.size()) - 1; }
+  int GetNumberOfLinks() const { return static_cast<int>(this->Links.size()); }
+  /** The links of a cell: from Begin on, up to End. */
+  int Begin(int cell) const { return this->Offsets[cell]; }
+  int End(int cell) const { return this->Offsets[cell + 1]; }
+  int GetNeighbor(int link) const { return this->Links[link].Neighbor; }
+  int GetContact(int link) const { return this->Links[link].ContactAndSide >> 1; }
+
+  /** 1 where the cell across a link is nearer to the eye, -1 where it is farther, 0 where neither
+   *  hides the other. */
+  int CompareAcross(int link) const
+  {
+    const int contactAndSide = this->Links[link].ContactAndSide;
+    const int sign = this->Signs[contactAndSide >> 1];
+    return (contactAndSide & 1) != 0 ? sign : -sign;
+  }
+
+  /** Of the contacts, for the eye. */
+  ContactSigns Signs;
+
+private:
+  /** A contact as one of its cells sees it. */
+  struct Link
+  {
+    int Neighbor;
+    /** The contact, with the cell's side in the last bit. */
+    int ContactAndSide;
+  };
+  std::vector<int> Offsets{ 0 };
+  std::vector<Link> Links;
+};
+
+#endif

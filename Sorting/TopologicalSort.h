@@ -1,0 +1,34 @@
+/**
+ * The loop of a topological sort that takes the cell released last, so that it moves through
+ * neighbours in memory.
+ */
+#ifndef TopologicalSort_h
+#define TopologicalSort_h
+
+#include <vector>
+
+/** What the sort touches of a cell, in a quarter of a line of the cache. */
+struct alignas(16) WaitingCell
+{
+  static constexpr int Unit = 8;
+  static constexpr int LongList = 4;
+
+  /** Cells that must come before it and are not in the order yet, times Unit, plus the number of
+   *  those that it releases; LongList instead of that number where they are more than three. */
+  int State;
+  /** Those that it releases; or where they begin and end in the long lists. */
+  int Next[3];
+
+  bool IsWaiting() const { return this->State >= Unit; }
+};
+
+namespace TopologicalSort
+{
+/** Takes cells off `stack` and puts those released on it, until it is empty. Cells below
+ *  `numberOfMeshCells` go to `ordered` and on in steps of `step`; returns where the next one would
+ *  go. What waits for a circle stays out. */
+int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
+  std::vector<int>& stack, int numberOfMeshCells, int* ordered, int step);
+}
+
+#endif

@@ -1,0 +1,83 @@
+/**
+ * A topological sort of cells from both ends at once.
+ *
+ * The far half of the cells is sorted from the farthest on, the near half from the nearest on, each
+ * by a thread of its own. What the first reaches without the near half comes first in every order
+ * that it begins, what the second reaches without the far half last: both are right, and what is
+ * left, about where the halves meet, is sorted between them. What is left over then waits for a
+ * circle. The halves are those of one axis, so they do not depend on the threads, nor does the
+ * order.
+ *
+ * Cells are numbered so that neighbours in space are neighbours in memory, those of the mesh first:
+ * others are sorted, but are not in the order.
+ */
+#ifndef TwoEndedSort_h
+#define TwoEndedSort_h
+
+#include "SignedLinks.h"
+#include "TopologicalSort.h"
+
+#include <vector>
+
+class TwoEndedSort
+{
+public:
+  /** Both must stay as they are. `centers`: three per cell; `center`: of the mesh. */
+  void Build(const SignedLinks& links, const std::vector<double>& centers, const double center[3],
+    int numberOfMeshCells);
+
+  /** For the signs as they are. `centersFirst`: from the farthest end alone, cells that nothing
+   *  tells apart from the farthest centre on. */
+  void Sort(const double eye[4], bool centersFirst);
+
+  /** Whether cells are left that wait for a circle, or lie behind one. */
+  bool HasRest() const { return this->NumberOrdered < this->NearBegin; }
+  bool IsWaiting(int cell) const { return this->Cells[cell].IsWaiting(); }
+
+  /** Puts a cell of the mesh next into the order. */
+  void Append(int cell) { this->Order[this->NumberOrdered++] = cell; }
+  /** Takes all cells of a circle for ordered, and sorts on. */
+  void Release(const std::vector<int>& circle);
+
+  /** Of a cell from the eye; its square for a point, to compare. */
+  double GetDistance(int cell, const double eye[4]) const;
+
+  /** The cells of the mesh, farthest first. */
+  const std::vector<int>& GetOrder() const { return this->Order; }
+
+private:
+  void FindOctants();
+  void ChooseHalves(const double eye[4], bool centersFirst);
+  bool IsFar(int cell) const
+  {
+    return ((this->Octants[cell] >> this->HalfAxis) & 1) == this->FarBit;
+  }
+  template <class Predicate>
+  WaitingCell FindNext(int cell, int direction, Predicate isListed, bool countsAll);
+  void FindNext();
+  void TakeSources(bool far, std::vector<int>& stack);
+  void SortHalf(bool far, const double eye[4], bool centersFirst);
+  void SortRest();
+  void SortOn();
+
+  const SignedLinks* Links = nullptr;
+  const std::vector<double>* Centers = nullptr;
+  double Center[3] = { 0.0, 0.0, 0.0 };
+  int NumberOfMeshCells = 0;
+  // Bit i: beyond the median of the centres along axis i.
+  std::vector<unsigned char> Octants;
+
+  // Per eye. LongLists: the neighbours that a cell with many releases, from its first link on.
+  int HalfAxis = 0;
+  int FarBit = 0;
+  std::vector<WaitingCell> Cells;
+  std::vector<int> LongLists;
+  std::vector<int> Stack;
+  std::vector<int> NearStack;
+  // Filled from both ends: what is between NumberOrdered and NearBegin is still to come.
+  std::vector<int> Order;
+  int NumberOrdered = 0;
+  int NearBegin = 0;
+};
+
+#endif
