@@ -151,6 +151,7 @@ void Reader::FindCenterBox()
 void Reader::AddFaces(
   vtkIdType cell, vtkGenericCell* generic, const std::vector<int>& points, CellFaces& faces) const
 {
+  const size_t first = faces.Triangles.size();
   std::vector<int> face;
   for (int f = 0; f < generic->GetNumberOfFaces(); ++f)
   {
@@ -165,6 +166,7 @@ void Reader::AddFaces(
     }
     faces.AddFace(static_cast<int>(cell), face, points);
   }
+  faces.SettleSides(first);
 }
 
 //------------------------------------------------------------------------------

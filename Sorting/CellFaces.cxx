@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace
 {
@@ -21,10 +23,10 @@ void Tidy(std::vector<int>& face)
 }
 
 //------------------------------------------------------------------------------
-void CellFaces::AddTriangle(int cell, const int corners[3], int side, bool isPart)
+void CellFaces::AddTriangle(int cell, const int corners[3], int side, bool isPart, int turn)
 {
   FaceTriangle triangle{ { corners[0], corners[1], corners[2] }, cell,
-    static_cast<signed char>(side), isPart };
+    static_cast<signed char>(side), isPart, static_cast<signed char>(turn) };
   std::sort(triangle.Points, triangle.Points + 3);
   this->Triangles.push_back(triangle);
 }
@@ -45,7 +47,7 @@ void CellFaces::AddTetrahedron(int cell, const int corners[4])
     const int face[3] = { c[left == 0 ? 1 : 0], c[left < 2 ? 2 : 1], c[left < 3 ? 3 : 2] };
     if (face[0] != face[1] && face[1] != face[2])
     {
-      this->AddTriangle(cell, face, left % 2 == 1 ? side : -side, false);
+      this->AddTriangle(cell, face, left % 2 == 1 ? side : -side, false, 1);
     }
   }
 }
@@ -58,7 +60,8 @@ void CellFaces::AddFace(int cell, std::vector<int> face, const std::vector<int>&
   {
     int corners[3] = { face[0], face[i - 1], face[i] };
     std::sort(corners, corners + 3);
-    this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), face.size() > 3);
+    this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), face.size() > 3,
+      face[i - 1] < face[i] ? 1 : -1);
   }
 }
 
@@ -84,4 +87,47 @@ int CellFaces::FindSide(
     }
   }
   return side;
+}
+
+//------------------------------------------------------------------------------
+bool CellFaces::IsWoundAlike(std::size_t first) const
+{
+  std::map<std::pair<int, int>, int> edges;
+  for (std::size_t i = first; i < this->Triangles.size(); ++i)
+  {
+    const FaceTriangle& t = this->Triangles[i];
+    edges[{ t.Points[0], t.Points[1] }] += t.Turn;
+    edges[{ t.Points[1], t.Points[2] }] += t.Turn;
+    edges[{ t.Points[0], t.Points[2] }] -= t.Turn;
+  }
+  return std::all_of(edges.begin(), edges.end(), [](const auto& edge) { return edge.second == 0; });
+}
+
+//------------------------------------------------------------------------------
+void CellFaces::SettleSides(std::size_t first)
+{
+  int agreeing = 0, disagreeing = 0;
+  for (std::size_t i = first; i < this->Triangles.size(); ++i)
+  {
+    const FaceTriangle& t = this->Triangles[i];
+    agreeing += t.Side == t.Turn ? 1 : 0;
+    disagreeing += t.Side == -t.Turn ? 1 : 0;
+  }
+  if (agreeing == 0 || disagreeing == 0 || !this->IsWoundAlike(first))
+  {
+    return;
+  }
+  double volume = 0.0;
+  const double* origin = this->At(this->Triangles[first].Points[0]);
+  for (std::size_t i = first; i < this->Triangles.size(); ++i)
+  {
+    const FaceTriangle& t = this->Triangles[i];
+    volume += t.Turn * TetrahedralSplit::SixVolumes(this->At(t.Points[0]), this->At(t.Points[1]),
+                         this->At(t.Points[2]), origin);
+  }
+  for (std::size_t i = first; i < this->Triangles.size() && volume != 0.0; ++i)
+  {
+    FaceTriangle& t = this->Triangles[i];
+    t.Side = t.Side == 0 ? t.Side : static_cast<signed char>(volume > 0.0 ? t.Turn : -t.Turn);
+  }
 }

@@ -4,6 +4,7 @@
 #ifndef CellFaces_h
 #define CellFaces_h
 
+#include <cstddef>
 #include <vector>
 
 /** A triangle of a face. */
@@ -17,6 +18,8 @@ struct FaceTriangle
   signed char Side;
   /** One of several triangles of its face. */
   bool IsPart;
+  /** 1 where the cell's own list of the face runs as Points do, -1 where it runs the other way. */
+  signed char Turn;
 };
 
 class CellFaces
@@ -34,10 +37,16 @@ public:
    *  repeat are taken once. */
   void AddFace(int cell, std::vector<int> face, const std::vector<int>& cellPoints);
 
+  /** To be called after the faces of a cell, with the number of triangles before it. Where faces
+   *  are so warped that the cell is not convex, corners mislead about the sides; then they are
+   *  taken from the way in which the cell lists its faces, if it lists all of them alike. */
+  void SettleSides(std::size_t first);
+
   std::vector<FaceTriangle> Triangles;
 
 private:
-  void AddTriangle(int cell, const int corners[3], int side, bool isPart);
+  void AddTriangle(int cell, const int corners[3], int side, bool isPart, int turn);
+  bool IsWoundAlike(std::size_t first) const;
   int FindSide(
     const int corners[3], const std::vector<int>& face, const std::vector<int>& cellPoints) const;
   const double* At(int point) const { return this->Points + 3 * static_cast<long long>(point); }

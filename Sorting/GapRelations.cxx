@@ -16,7 +16,7 @@ using Polygon = std::vector<Point>;
 // Cosine beyond which a point is too far to the side to be projected.
 constexpr double SmallestCosine = 1e-3;
 
-// Share of its length below which a polygon's edge to the plane counts as none.
+// Share of a triangle's perimeter below which the width of what two triangles share counts as none.
 constexpr double RelativeTolerance = 1e-12;
 
 /** Tests triangles for one eye. */
@@ -29,6 +29,8 @@ public:
     std::copy_n(eye, 4, this->Eye.begin());
   }
 
+  /** But for rounding: no ray is sure to meet the triangle. */
+  bool IsEdgeOn(const GapTriangle& triangle) const;
   bool IsBehind(const GapTriangle& far, const GapTriangle& near) const;
 
   const double* At(int point) const { return this->Points + 3 * static_cast<long long>(point); }
@@ -37,6 +39,7 @@ public:
 
 private:
   Point GetNormal(const double* from, const double* to) const;
+  double GetPerimeter(const GapTriangle& triangle) const;
   Polygon ClipToCone(const GapTriangle& near, const GapTriangle& far) const;
 
   const double* Points;
@@ -55,6 +58,36 @@ Point Viewer::GetNormal(const double* from, const double* to) const
   }
   vtkMath::Cross(edge, toEye, normal.data());
   return normal;
+}
+
+//------------------------------------------------------------------------------
+double Viewer::GetPerimeter(const GapTriangle& triangle) const
+{
+  double perimeter = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    perimeter += std::sqrt(vtkMath::Distance2BetweenPoints(
+      this->At(triangle.Points[i]), this->At(triangle.Points[(i + 1) % 3])));
+  }
+  return perimeter;
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::IsEdgeOn(const GapTriangle& triangle) const
+{
+  const double bound = RelativeTolerance * this->GetPerimeter(triangle);
+  for (int edge = 0; edge < 3; ++edge)
+  {
+    const double* from = this->At(triangle.Points[edge]);
+    const Point normal = this->GetNormal(from, this->At(triangle.Points[(edge + 1) % 3]));
+    double relative[3];
+    vtkMath::Subtract(this->At(triangle.Points[(edge + 2) % 3]), from, relative);
+    if (std::abs(vtkMath::Dot(relative, normal.data())) <= bound * vtkMath::Norm(normal.data()))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +156,8 @@ bool Viewer::IsBehind(const GapTriangle& far, const GapTriangle& near) const
       middle[k] += polygon[i][k] / static_cast<double>(polygon.size());
     }
   }
-  if (area <= RelativeTolerance * perimeter * perimeter)
+  // Measured by the triangle: what rounding leaves about a common corner is no sliver of itself.
+  if (area <= RelativeTolerance * this->GetPerimeter(near) * perimeter)
   {
     return false;
   }
@@ -224,7 +258,10 @@ std::vector<std::pair<int, int>> Find(const double* points, const std::vector<Ga
   std::vector<Boxed> boxed;
   for (const GapTriangle& triangle : near)
   {
-    boxed.push_back({ screen.Project(triangle), &triangle });
+    if (!viewer.IsEdgeOn(triangle))
+    {
+      boxed.push_back({ screen.Project(triangle), &triangle });
+    }
   }
   std::sort(boxed.begin(), boxed.end(),
     [](const Boxed& a, const Boxed& b) { return a.Bounds.Low[0] < b.Bounds.Low[0]; });
@@ -232,9 +269,10 @@ std::vector<std::pair<int, int>> Find(const double* points, const std::vector<Ga
   for (const GapTriangle& triangle : far)
   {
     const Box box = screen.Project(triangle);
+    const bool isEdgeOn = viewer.IsEdgeOn(triangle);
     for (const Boxed& other : boxed)
     {
-      if (other.Bounds.Low[0] > box.High[0])
+      if (isEdgeOn || other.Bounds.Low[0] > box.High[0])
       {
         break;
       }

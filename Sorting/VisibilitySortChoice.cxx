@@ -21,6 +21,11 @@ vtkVisibilitySort* VisibilitySortChoice::Choose(
   }
   this->Sort->SetInput(input);
   this->Sort->SetCamera(camera);
+  if (auto* proven = this->GetProvenSort())
+  {
+    proven->TakeComplex(this->InexactPower);
+  }
+  this->InexactPower = nullptr;
   return this->Sort;
 }
 
@@ -38,8 +43,9 @@ int VisibilitySortChoice::Resolve(int method, vtkDataSet* input, bool convexify)
     this->SeenTime = time;
     auto power = vtkSmartPointer<vtkPowerVisibilitySort>::New();
     power->SetInput(input);
-    // What is not exact is not kept: it has an adjacency of its own.
-    this->ExactPower = power->IsExact() ? power : nullptr;
+    const bool exact = power->IsExact();
+    this->ExactPower = exact ? power : nullptr;
+    this->InexactPower = exact ? nullptr : power;
   }
   return this->ExactPower ? Power : MPVO;
 }

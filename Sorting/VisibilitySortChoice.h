@@ -45,6 +45,8 @@ private:
   const char* Name = "";
 
   vtkSmartPointer<vtkPowerVisibilitySort> ExactPower;
+  // Until the sort that is taken instead has its adjacency.
+  vtkSmartPointer<vtkPowerVisibilitySort> InexactPower;
   vtkDataSet* SeenInput = nullptr; // compared only
   MeshTime SeenTime{};
 };

@@ -19,6 +19,7 @@
 #include <algorithm>
 #include <array>
 #include <string>
+#include <utility>
 
 /// What the sort keeps from traversal to traversal.
 class vtkProvenVisibilitySort::Internals
@@ -38,18 +39,24 @@ public:
   std::array<double, 4> OrderedEye{ { 0.0, 0.0, 0.0, 0.0 } };
   vtkDataSet* OrderedInput = nullptr;
 
-  CellComplex Complex;
-  ImaginaryCells Imaginary;
-  bool IsFilled = false;
-  // What the imaginary cells miss of the hull, as a share of it.
-  double VolumeError = 0.0;
-  bool HasComplex = false;
-  bool HasImaginary = false;
-  bool Reported = false;
+  // What one input costs to build.
+  struct Preparation
+  {
+    CellComplex Complex;
+    ImaginaryCells Imaginary;
+    bool IsFilled = false;
+    // What the imaginary cells miss of the hull, as a share of it.
+    double VolumeError = 0.0;
+    bool HasComplex = false;
+    bool HasImaginary = false;
+    bool Reported = false;
+    // What it was made from.
+    MeshTime Cells{};
+    vtkDataSet* Input = nullptr;
+    bool Convexify = true;
+  };
+  Preparation Built;
   std::string LastFailure;
-  MeshTime BuiltCells{};
-  vtkDataSet* BuiltInput = nullptr;
-  bool BuiltConvexify = true;
 
   // Answers, computed when asked for.
   vtkIdType Misordered = -1;
@@ -181,14 +188,29 @@ void vtkProvenVisibilitySort::ForgetComplex()
 {
   Internals& internal = *this->Internal;
   const MeshTime cells = MeshTimeOf(this->Input);
-  if (internal.BuiltInput == this->Input && internal.BuiltCells == cells)
+  if (internal.Built.Input == this->Input && internal.Built.Cells == cells)
   {
     return;
   }
-  internal.BuiltInput = this->Input;
-  internal.BuiltCells = cells;
-  internal.HasComplex = false;
-  internal.HasImaginary = false;
+  internal.Built.Input = this->Input;
+  internal.Built.Cells = cells;
+  internal.Built.HasComplex = false;
+  internal.Built.HasImaginary = false;
+}
+
+//------------------------------------------------------------------------------
+void vtkProvenVisibilitySort::TakeComplex(vtkProvenVisibilitySort* other)
+{
+  if (other && other != this && other->Input && other->Input == this->Input)
+  {
+    other->ForgetComplex();
+    if (other->Internal->Built.HasComplex)
+    {
+      this->Internal->Built = std::move(other->Internal->Built);
+      other->Internal->Built = Internals::Preparation();
+      this->ComplexTime.Modified();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -196,15 +218,15 @@ const CellComplex& vtkProvenVisibilitySort::GetComplex()
 {
   Internals& internal = *this->Internal;
   this->ForgetComplex();
-  if (!internal.HasComplex)
+  if (!internal.Built.HasComplex)
   {
-    CellComplexReader::Read(this->Input, internal.Complex);
-    internal.HasComplex = true;
-    internal.HasImaginary = false;
-    internal.Reported = false;
+    CellComplexReader::Read(this->Input, internal.Built.Complex);
+    internal.Built.HasComplex = true;
+    internal.Built.HasImaginary = false;
+    internal.Built.Reported = false;
     this->ComplexTime.Modified();
   }
-  return internal.Complex;
+  return internal.Built.Complex;
 }
 
 //------------------------------------------------------------------------------
@@ -212,56 +234,56 @@ const ImaginaryCells& vtkProvenVisibilitySort::GetImaginaryCells()
 {
   Internals& internal = *this->Internal;
   this->GetComplex();
-  if (internal.HasImaginary && internal.BuiltConvexify == this->Convexify)
+  if (internal.Built.HasImaginary && internal.Built.Convexify == this->Convexify)
   {
-    return internal.Imaginary;
+    return internal.Built.Imaginary;
   }
-  internal.HasImaginary = true;
-  internal.BuiltConvexify = this->Convexify;
-  internal.IsFilled = false;
-  internal.VolumeError = 0.0;
-  internal.Imaginary = ImaginaryCells();
+  internal.Built.HasImaginary = true;
+  internal.Built.Convexify = this->Convexify;
+  internal.Built.IsFilled = false;
+  internal.Built.VolumeError = 0.0;
+  internal.Built.Imaginary = ImaginaryCells();
   this->ComplexTime.Modified();
-  if (ImaginaryGrid::Take(this->Input, internal.Complex, internal.Imaginary))
+  if (ImaginaryGrid::Take(this->Input, internal.Built.Complex, internal.Built.Imaginary))
   {
-    internal.IsFilled = true;
+    internal.Built.IsFilled = true;
   }
   else if (this->Convexify)
   {
     ConvexificationResult result =
-      Convexification::Run(internal.Complex, ConvexificationSettings());
-    internal.VolumeError = result.VolumeError;
-    internal.IsFilled = result.VolumeError <= LargestVolumeError;
-    internal.Imaginary = std::move(result.Cells);
+      Convexification::Run(internal.Built.Complex, ConvexificationSettings());
+    internal.Built.VolumeError = result.VolumeError;
+    internal.Built.IsFilled = result.VolumeError <= LargestVolumeError;
+    internal.Built.Imaginary = std::move(result.Cells);
   }
   this->ReportComplex();
-  return internal.Imaginary;
+  return internal.Built.Imaginary;
 }
 
 //------------------------------------------------------------------------------
 void vtkProvenVisibilitySort::ReportComplex()
 {
-  const CellComplex& complex = this->Internal->Complex;
-  if (!this->Internal->Reported &&
-      (!complex.IsComplex() || this->Internal->VolumeError > LargestVolumeError))
+  const CellComplex& complex = this->Internal->Built.Complex;
+  if (!this->Internal->Built.Reported &&
+      (!complex.IsComplex() || this->Internal->Built.VolumeError > LargestVolumeError))
   {
     vtkWarningMacro(
       "The cells are no complex: "
       << complex.NumberOfNonManifoldFaces << " faces are shared by more than two cells, "
       << complex.NumberOfOverlappingFaces << " by cells on the same side, "
       << complex.NumberOfNonconformingPairs << " pairs of cells touch in faces that do not match, "
-      << "and " << 100.0 * this->Internal->VolumeError
+      << "and " << 100.0 * this->Internal->Built.VolumeError
       << " % of the convex hull cannot be filled about them. They are sorted, but their order "
          "cannot be proven.");
   }
-  this->Internal->Reported = true;
+  this->Internal->Built.Reported = true;
 }
 
 //------------------------------------------------------------------------------
 bool vtkProvenVisibilitySort::IsComplexConvex()
 {
   this->GetImaginaryCells();
-  return this->Internal->IsFilled && this->Internal->Complex.IsComplex();
+  return this->Internal->Built.IsFilled && this->Internal->Built.Complex.IsComplex();
 }
 
 //------------------------------------------------------------------------------

@@ -57,6 +57,12 @@ public:
   vtkBooleanMacro(Convexify, bool);
   ///@}
 
+  /**
+   * Take over what `other` has built for the same input, and need not build it again. Nothing
+   * where the inputs differ or nothing is built; `other` builds anew when it is asked next.
+   */
+  void TakeComplex(vtkProvenVisibilitySort* other);
+
   // === The order of the last traversal ===
 
   /**

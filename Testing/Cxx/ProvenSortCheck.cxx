@@ -69,6 +69,8 @@ bool ProvenSortCheck::HoldsAt(
   {
     const std::vector<int> groups = this->GroupsOf(sort);
     rays = this->Rays.Check(eye.Position, order, groups, this->NumberOfRays);
+    this->MostOverlappingRays = std::max(this->MostOverlappingRays, rays.OverlappingRays);
+    this->MostCrossingRays = std::max(this->MostCrossingRays, rays.CrossingRays);
     if (cycles > 0)
     {
       const auto all = this->Rays.Check(eye.Position, order, {}, this->NumberOfRays);

@@ -43,6 +43,9 @@ public:
   /// had these not been let off.
   vtkIdType GetMostCyclicCells() const { return this->MostCyclicCells; }
   int GetMostRaysLetOff() const { return this->MostRaysLetOff; }
+  /// The most rays of one eye on which no order is right: cells overlap there, or elsewhere.
+  int GetMostOverlappingRays() const { return this->MostOverlappingRays; }
+  int GetMostCrossingRays() const { return this->MostCrossingRays; }
   const RayOrder& GetRays() const { return this->Rays; }
 
 private:
@@ -60,6 +63,8 @@ private:
   int CyclicEyes = 0;
   vtkIdType MostCyclicCells = 0;
   int MostRaysLetOff = 0;
+  int MostOverlappingRays = 0;
+  int MostCrossingRays = 0;
 };
 
 #endif

@@ -2,6 +2,7 @@
 
 #include "vtkCell.h"
 #include "vtkIdList.h"
+#include "vtkMath.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -245,11 +246,72 @@ int RayOrder::CountOverlaps(const std::vector<Segment>& segments) const
 }
 
 //------------------------------------------------------------------------------
+bool RayOrder::IsThrough(
+  const Point& from, const Point& to, const std::array<vtkIdType, 3>& triangle) const
+{
+  // The line meets the triangle where it passes all three edges on the same side, and well so: the
+  // volumes are compared with those of the same lengths at right angles.
+  double edges[3][3], along[3];
+  vtkMath::Subtract(to.data(), from.data(), along);
+  int positive = 0, negative = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const Point& a = this->Points[triangle[i]];
+    vtkMath::Subtract(this->Points[triangle[(i + 1) % 3]].data(), a.data(), edges[i]);
+    double toCorner[3], cross[3];
+    vtkMath::Subtract(a.data(), from.data(), toCorner);
+    vtkMath::Cross(edges[i], toCorner, cross);
+    const double side = vtkMath::Dot(cross, along);
+    const double bound = Slack * this->Diagonal * vtkMath::Norm(edges[i]) * vtkMath::Norm(along);
+    positive += side > bound ? 1 : 0;
+    negative += side < -bound ? 1 : 0;
+  }
+  double normal[3], relative[3];
+  vtkMath::Cross(edges[0], edges[1], normal);
+  const double bound = Slack * this->Diagonal * vtkMath::Norm(normal);
+  vtkMath::Subtract(from.data(), this->Points[triangle[0]].data(), relative);
+  const double atFrom = vtkMath::Dot(normal, relative);
+  const double atTo = atFrom + vtkMath::Dot(normal, along);
+  return (positive == 3 || negative == 3) && std::min(atFrom, atTo) < -bound &&
+         std::max(atFrom, atTo) > bound;
+}
+
+//------------------------------------------------------------------------------
+bool RayOrder::HasEdgeThrough(vtkIdType a, vtkIdType b) const
+{
+  const auto placeOf = [this](vtkIdType id)
+  {
+    return std::lower_bound(this->CellIds.begin(), this->CellIds.end(), id) - this->CellIds.begin();
+  };
+  const auto cellA = placeOf(a), cellB = placeOf(b);
+  for (int at = 3 * this->Offsets[cellA]; at < 3 * this->Offsets[cellA + 1]; ++at)
+  {
+    const auto& own = this->Triangles[at / 3];
+    const Point& from = this->Points[own[at % 3]];
+    const Point& to = this->Points[own[(at + 1) % 3]];
+    for (int other = this->Offsets[cellB]; other < this->Offsets[cellB + 1]; ++other)
+    {
+      if (this->IsThrough(from, to, this->Triangles[other]))
+      {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+//------------------------------------------------------------------------------
+bool RayOrder::DoCross(vtkIdType a, vtkIdType b) const
+{
+  return this->HasEdgeThrough(a, b) || this->HasEdgeThrough(b, a);
+}
+
+//------------------------------------------------------------------------------
 void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
   const std::vector<int>& groups, Result& result) const
 {
   const double slack = Slack * this->Diagonal;
-  bool wrong = false;
+  bool wrong = false, crossing = false;
   ++result.Rays;
   if (const int overlaps = this->CountOverlaps(segments))
   {
@@ -273,7 +335,12 @@ void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<v
       {
         continue;
       }
-      const bool bad = rank[near.Cell] <= rank[far.Cell];
+      bool bad = rank[near.Cell] <= rank[far.Cell];
+      if (bad && rank[near.Cell] >= 0 && this->DoCross(near.Cell, far.Cell))
+      {
+        crossing = true;
+        bad = false;
+      }
       result.Pairs += j == i + 1 ? 1 : 0;
       result.WrongPairs += j == i + 1 && bad ? 1 : 0;
       wrong = wrong || bad;
@@ -285,6 +352,7 @@ void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<v
     }
   }
   result.WrongRays += wrong ? 1 : 0;
+  result.CrossingRays += crossing && !wrong ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

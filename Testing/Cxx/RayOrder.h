@@ -27,6 +27,9 @@ public:
     /// that meets one is judged.
     long long OverlappingPairs = 0;
     int OverlappingRays = 0;
+    /// Rays that are wrong but for cells that run through each other: on other rays their segments
+    /// overlap, and no order of theirs is right.
+    int CrossingRays = 0;
     /// The first two cells found wrong: `Near` is in front, and does not come after `Far`.
     vtkIdType Near = -1;
     vtkIdType Far = -1;
@@ -58,6 +61,11 @@ private:
   Point RandomPointIn(int cell, unsigned int seed) const;
   bool Hit(const Ray& ray, const std::array<vtkIdType, 3>& triangle, double& depth) const;
   void AddSegments(const Ray& ray, int cell, bool fromEye, std::vector<Segment>& segments) const;
+  /// Whether an edge of one cell runs through a triangle of the other, beyond rounding.
+  bool DoCross(vtkIdType a, vtkIdType b) const;
+  bool HasEdgeThrough(vtkIdType a, vtkIdType b) const;
+  bool IsThrough(
+    const Point& from, const Point& to, const std::array<vtkIdType, 3>& triangle) const;
   int CountOverlaps(const std::vector<Segment>& segments) const;
   void Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
     const std::vector<int>& groups, Result& result) const;

@@ -24,8 +24,6 @@ struct Entry
   bool Convex = false;
   /// Whether the cells do hide each other in a circle, seen from far up the third axis.
   bool Tangle = false;
-  /// Whether what fills the mesh to its hull may close a circle that the cells alone do not.
-  bool FillMayBeCyclic = false;
 };
 
 /// What every sort must get right.

@@ -86,19 +86,12 @@ int SideOf(const CellComplex& complex, const int points[3], const double p[3])
   return ExactOrientation::SideOfPoint(x + 3 * points[0], x + 3 * points[1], x + 3 * points[2], p);
 }
 
-// Cells[0] on the side of the normal; boundary closed, and pointing away from its cells.
-void CheckSides(const CellComplex& complex)
+// The boundary's triangles run against each other along all edges.
+void CheckClosed(const CellComplex& complex)
 {
-  for (const auto& contact : complex.Contacts)
-  {
-    CHECK(contact.Points[0] < contact.Points[1] && contact.Points[1] < contact.Points[2]);
-    CHECK_EQUAL(SideOf(complex, contact.Points, &complex.Centers[3 * contact.Cells[0]]), 1);
-    CHECK_EQUAL(SideOf(complex, contact.Points, &complex.Centers[3 * contact.Cells[1]]), -1);
-  }
   std::multiset<std::pair<int, int>> edges;
   for (const auto& triangle : complex.Boundary)
   {
-    CHECK_EQUAL(SideOf(complex, triangle.Points, &complex.Centers[3 * triangle.Cell]), -1);
     for (int i = 0; i < 3; ++i)
     {
       edges.insert({ triangle.Points[i], triangle.Points[(i + 1) % 3] });
@@ -108,6 +101,22 @@ void CheckSides(const CellComplex& complex)
   {
     CHECK_EQUAL(edges.count({ edge.second, edge.first }), edges.count(edge));
   }
+}
+
+// Cells[0] on the side of the normal; boundary closed, and pointing away from its cells.
+void CheckSides(const CellComplex& complex)
+{
+  for (const auto& contact : complex.Contacts)
+  {
+    CHECK(contact.Points[0] < contact.Points[1] && contact.Points[1] < contact.Points[2]);
+    CHECK_EQUAL(SideOf(complex, contact.Points, &complex.Centers[3 * contact.Cells[0]]), 1);
+    CHECK_EQUAL(SideOf(complex, contact.Points, &complex.Centers[3 * contact.Cells[1]]), -1);
+  }
+  for (const auto& triangle : complex.Boundary)
+  {
+    CHECK_EQUAL(SideOf(complex, triangle.Points, &complex.Centers[3 * triangle.Cell]), -1);
+  }
+  CheckClosed(complex);
 }
 
 void CheckCounts(const CellComplex& complex, int contacts, int nonManifold, int overlapping)
@@ -171,6 +180,35 @@ void TestWarpedFace()
   AddShape(grid, left, false);
   AddShape(grid, right, false);
   CheckCounts(Read(grid), 2, 0, 0);
+}
+
+// Thin cells of a crushed plate: the face that they share is so warped that corners on the far side
+// of it stand on its near side. Whichever way the cells list their corners, one is on either side.
+void TestCrushedCells()
+{
+  const std::vector<Point> points = { { -0.154, -0.923, -14.925 }, { -0.771, -0.620, -14.942 },
+    { 0.087, -0.634, -14.751 }, { -0.540, -0.286, -14.805 }, { -0.211, -1.041, -14.980 },
+    { -0.829, -0.734, -14.988 }, { 0.095, -0.701, -14.708 }, { -0.537, -0.345, -14.777 },
+    { -0.242, -1.107, -14.983 }, { -0.861, -0.798, -14.992 }, { 0.120, -0.748, -14.687 },
+    { -0.516, -0.378, -14.768 } };
+  for (const bool turned : { false, true })
+  {
+    auto grid = MakeGrid(points);
+    for (vtkIdType first = 0; first < 8; first += 4)
+    {
+      std::vector<vtkIdType> ids = { 0, 1, 5, 4, 2, 3, 7, 6 };
+      std::for_each(ids.begin(), ids.end(), [first](vtkIdType& id) { id += first; });
+      if (turned)
+      {
+        std::swap_ranges(ids.begin(), ids.begin() + 4, ids.begin() + 4);
+      }
+      AddCell(grid, VTK_HEXAHEDRON, ids);
+    }
+    const CellComplex complex = Read(grid);
+    CheckCounts(complex, 2, 0, 0);
+    CHECK_EQUAL(static_cast<int>(complex.Boundary.size()), 20);
+    CheckClosed(complex);
+  }
 }
 
 // A corner in the middle of an edge: part of the fan has no area and must not speak for the rest.
@@ -275,6 +313,7 @@ int TestCellComplex(int, char*[])
   TestPairs();
   TestTetrahedraAgainstSquare();
   TestWarpedFace();
+  TestCrushedCells();
   TestCornerOnEdge();
   TestFlatCell();
   TestNoComplex();
