@@ -7,6 +7,8 @@
 #include "PolyhedraScene.h"
 #include "TestMeshes.h"
 
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
 #include "vtkProjectedPolyhedraMapper.h"
 
 #include <cmath>
@@ -31,11 +33,11 @@ void SetLinearEmission(PolyhedraScene& scene)
   scene.Opacity->AddPoint(1.0, 1.8);
 }
 
-// Every pixel within 1e-4 but for one of a thousand.
+// Every pixel within 1e-4 but for two of a thousand.
 void CheckScene(TestChecks& checks, PolyhedraScene& scene, const std::string& name, int line)
 {
   const PolyhedraScene::Errors errors = scene.CompareWithOracle(name);
-  const bool good = errors.Compared >= 0.0 && errors.WrongPixels <= 0.001 * errors.CoveredPixels;
+  const bool good = errors.Compared >= 0.0 && errors.WrongPixels <= 0.002 * errors.CoveredPixels;
   checks.Check(good, name.c_str(), line,
     std::to_string(errors.WrongPixels) + " pixels, by up to " + std::to_string(errors.Compared));
 }
@@ -72,7 +74,7 @@ void CheckAgainstOnePass(TestChecks& checks, const PolyhedraMeshes::Entry& mesh)
     std::cout << mesh.Name << ", view " << view << ": one pass with the mean differs from three in "
               << different << " of " << lit << " pixels\n";
     CHECK(lit > 1000);
-    CHECK_AT_MOST(different, 0.001 * lit);
+    CHECK_AT_MOST(different, 0.002 * lit);
   }
 }
 
@@ -126,24 +128,49 @@ void CheckConvergence(TestChecks& checks)
   }
 }
 
-// Cells that the near plane cuts are closed by caps: every pixel that one pass lights is lit.
+// Cells that the near plane cuts are closed by caps.
 void CheckNearPlane(TestChecks& checks, const PolyhedraMeshes::Entry& mesh)
 {
   PolyhedraMeshes::SetLinear(mesh.Mesh);
   PolyhedraScene scene(MakeMapper(3, false), 96, 96);
   scene.SetMesh(mesh.Mesh);
   SetLinearEmission(scene);
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  const double ranges[6][3] = { { 2, 1e-3, 10.0 }, { 2, 0.1, 10.0 }, { 2, 0.25, 10.0 },
-    { 0, 1.9, 10.0 }, { 1, 2.0, 10.0 }, { 0, 0.1, 2.0 } };
-  for (const auto& range : ranges)
+  const double planes[5][2] = { { 2, 1e-3 }, { 2, 0.1 }, { 2, 0.25 }, { 0, 1.9 }, { 1, 2.0 } };
+  for (const auto& plane : planes)
   {
-    scene.SetView(static_cast<int>(range[0]));
-    camera->SetClippingRange(range[1], range[2]);
-    const std::string name =
-      mesh.Name + ", three passes, near plane at " + std::to_string(range[1]);
-    CheckScene(checks, scene, name + ", far at " + std::to_string(range[2]), __LINE__);
+    scene.SetView(static_cast<int>(plane[0]));
+    scene.Renderer->GetActiveCamera()->SetClippingRange(plane[1], 10.0);
+    CheckScene(checks, scene,
+      mesh.Name + ", three passes, near plane at " + std::to_string(plane[1]), __LINE__);
   }
+}
+
+// Cut at a clipping plane or the far plane, a cell has the right length and the emission of its
+// whole self: off by half of that length times the change of emission, in one cell per plane.
+void CheckOtherCuts(TestChecks& checks)
+{
+  PolyhedraScene scene(MakeMapper(3, false), 64, 64);
+  auto grid = PolyhedraMeshes::Hexahedra(16);
+  PolyhedraMeshes::SetLinear(grid);
+  scene.SetMesh(grid);
+  SetLinearEmission(scene);
+  // A cell is at most .13 across; along that the scalar changes by .13 and the emission by .19.
+  const double bound = 0.5 * 0.13 * 0.19;
+  scene.SetView(0);
+  scene.Renderer->GetActiveCamera()->SetClippingRange(0.1, 2.0);
+  const PolyhedraScene::Errors farErrors = scene.CompareWithOracle("three passes, far plane");
+  CHECK(farErrors.Compared >= 0.0);
+  CHECK_AT_MOST(farErrors.Compared, bound);
+  scene.SetView(1);
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(1.0, 0.5, 0.2);
+  vtkNew<vtkPlaneCollection> planes;
+  planes->AddItem(plane);
+  scene.Mapper->SetClippingPlanes(planes);
+  scene.Oracle->SetClippingPlanes(planes);
+  const PolyhedraScene::Errors errors = scene.CompareWithOracle("three passes, clipping plane");
+  CHECK(errors.Compared >= 0.0);
+  CHECK_AT_MOST(errors.Compared, bound);
 }
 }
 
@@ -160,5 +187,6 @@ int TestPolyhedraThreePasses(int, char*[])
   CheckTrapezoidRule(checks, 1);
   CheckTrapezoidRule(checks, 3);
   CheckConvergence(checks);
+  CheckOtherCuts(checks);
   return checks.Result();
 }
