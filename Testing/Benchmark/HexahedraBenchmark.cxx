@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <utility>
 
 namespace
 {
@@ -121,11 +122,6 @@ std::unique_ptr<BenchmarkScene> HexahedraBenchmark::MakeScene(const Row& row, in
 {
   vtkUnstructuredGrid* grid = row.IsCut ? this->Tetrahedra : this->Hexahedra;
   auto scene = std::make_unique<BenchmarkScene>(row.Mapper, grid, size);
-  if (row.Mapper->GetBlendMode() == vtkConvexCellMapper::ADDITIVE)
-  {
-    // Sums of about 1.
-    scene->Volume->GetProperty()->SetScalarOpacityUnitDistance(grid->GetLength());
-  }
   if (row.Low >= 0.0)
   {
     SetLowOpacity(*scene, grid, row.Low);
@@ -184,9 +180,8 @@ void HexahedraBenchmark::MeasureError(Row& row)
   const std::unique_ptr<BenchmarkScene> scene = this->MakeScene(row, ErrorSize);
   scene->TimeFrame(0);
   const vtkSmartPointer<vtkCellProjectionOracle> oracle = this->GetOracle(row, *scene);
-  const vtkSmartPointer<vtkImageData> image =
-    ours ? ours->GetCapturedImage() : CaptureWindow(*scene, oracle->GetImage());
-  oracle->Compare(image);
+  oracle->Compare(
+    ours ? ours->GetCapturedImage() : CaptureWindow(*scene, oracle->GetImage()).GetPointer());
   row.RootMeanSquare = oracle->GetRootMeanSquareError();
   row.Percentile = oracle->GetPercentileError();
   row.Maximum = oracle->GetMaximumError();
