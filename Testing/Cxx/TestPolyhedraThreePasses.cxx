@@ -44,7 +44,7 @@ void CheckScene(TestChecks& checks, PolyhedraScene& scene, const std::string& na
 
 void CheckLinearEmission(TestChecks& checks, const PolyhedraMeshes::Entry& mesh, int passes)
 {
-  PolyhedraScene scene(MakeMapper(passes, true), 96, 96);
+  PolyhedraScene scene(MakeMapper(passes, true), 64, 64);
   scene.SetMesh(mesh.Mesh);
   SetLinearEmission(scene);
   for (const int view : { 0, 1 })
@@ -132,7 +132,7 @@ void CheckConvergence(TestChecks& checks)
 void CheckNearPlane(TestChecks& checks, const PolyhedraMeshes::Entry& mesh)
 {
   PolyhedraMeshes::SetLinear(mesh.Mesh);
-  PolyhedraScene scene(MakeMapper(3, false), 96, 96);
+  PolyhedraScene scene(MakeMapper(3, false), 64, 64);
   scene.SetMesh(mesh.Mesh);
   SetLinearEmission(scene);
   const double planes[5][2] = { { 2, 1e-3 }, { 2, 0.1 }, { 2, 0.25 }, { 0, 1.9 }, { 1, 2.0 } };
