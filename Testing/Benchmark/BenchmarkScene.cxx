@@ -23,15 +23,12 @@
 
 namespace
 {
-vtkSmartPointer<vtkUnstructuredGrid> Cut(vtkDataSet* mesh)
+vtkSmartPointer<vtkUnstructuredGrid> Unstructured(vtkDataSet* mesh)
 {
   vtkNew<vtkAppendFilter> append;
   append->SetInputData(mesh);
-  vtkNew<vtkConvexCells> cut;
-  cut->SetInputConnection(append->GetOutputPort());
-  cut->TetrahedraOnlyOn();
-  cut->Update();
-  return cut->GetOutput();
+  append->Update();
+  return append->GetOutput();
 }
 
 vtkSmartPointer<vtkUnstructuredGrid> ReadBluntFin(const std::string& folder)
@@ -41,7 +38,7 @@ vtkSmartPointer<vtkUnstructuredGrid> ReadBluntFin(const std::string& folder)
   reader->SetQFileName((folder + "/bluntfinq.bin").c_str());
   reader->SetScalarFunctionNumber(100);
   reader->Update();
-  return Cut(vtkDataSet::SafeDownCast(reader->GetOutput()->GetBlock(0)));
+  return Unstructured(vtkDataSet::SafeDownCast(reader->GetOutput()->GetBlock(0)));
 }
 
 // A bent lattice of about as many cells as Blunt Fin, with a wave in its density.
@@ -69,7 +66,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeCurvilinear()
   grid->SetDimensions(size);
   grid->SetPoints(points);
   grid->GetPointData()->SetScalars(density);
-  return Cut(grid);
+  return Unstructured(grid);
 }
 
 void SetProperty(vtkVolumeProperty* property, const double range[2], double diagonal)
@@ -91,13 +88,30 @@ void SetProperty(vtkVolumeProperty* property, const double range[2], double diag
 }
 
 //------------------------------------------------------------------------------
-BenchmarkMesh LoadBenchmarkMesh(const std::string& folder)
+BenchmarkMesh LoadBenchmarkHexahedra(const std::string& folder)
 {
   if (vtksys::SystemTools::FileExists(folder + "/bluntfinxyz.bin"))
   {
     return { "Blunt Fin", ReadBluntFin(folder) };
   }
   return { "generated curvilinear mesh", MakeCurvilinear() };
+}
+
+//------------------------------------------------------------------------------
+BenchmarkMesh LoadBenchmarkMesh(const std::string& folder)
+{
+  const BenchmarkMesh hexahedra = LoadBenchmarkHexahedra(folder);
+  return { hexahedra.Name, CutToTetrahedra(hexahedra.Grid) };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkConvexCells> cut;
+  cut->SetInputData(grid);
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  return cut->GetOutput();
 }
 
 //------------------------------------------------------------------------------

@@ -15,15 +15,18 @@ class vtkImageData;
 class vtkUnstructuredGrid;
 class vtkUnstructuredGridVolumeMapper;
 
-/// A mesh of tetrahedra with a scalar, and where it came from.
+/// A mesh with a scalar, and where it came from.
 struct BenchmarkMesh
 {
   std::string Name;
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
 };
 
-/// NASA's Blunt Fin (density) where `folder` has it, else a generated curvilinear mesh.
+/// NASA's Blunt Fin (density) where `folder` has it, else a generated curvilinear mesh: hexahedra.
+BenchmarkMesh LoadBenchmarkHexahedra(const std::string& folder);
+/// The same cut into tetrahedra.
 BenchmarkMesh LoadBenchmarkMesh(const std::string& folder);
+vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid);
 
 /// A window that shows one volume through one mapper on black; a new eye for every frame.
 class BenchmarkScene

@@ -1,11 +1,13 @@
 // Mappers: ours and VTK's projected tetrahedra on the same mesh, views and transfer function,
 // frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
 // visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts]]; the data's folder is in
+// Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra]]; the data's folder is in
 //   CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 #include "ConvexificationBenchmark.h"
+#include "HexahedraBenchmark.h"
 #include "RealMeshes.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
@@ -171,6 +173,11 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "cuts")
   {
     CompareCuts(frames);
+  }
+  if (section.empty() || section == "hexahedra")
+  {
+    const BenchmarkMesh hexahedra = LoadBenchmarkHexahedra(folder ? folder : "");
+    HexahedraBenchmark(hexahedra.Name, hexahedra.Grid).Run(frames);
   }
   return EXIT_SUCCESS;
 }

@@ -212,12 +212,14 @@ PolyhedraScene::Errors PolyhedraScene::CompareWithOracle(const std::string& name
     largest = std::max(largest, error);
     errors.CoveredPixels += IsNothing(exact) ? 0 : 1;
     errors.SilhouettePixels += isNear ? 1 : 0;
+    errors.WrongPixels += !isNear && !(error <= this->GetBound()) ? 1 : 0;
     errors.LargestValue = std::max(errors.LargestValue, Distance(exact, Value{}));
   }
   std::cout << name << ": covered " << errors.CoveredPixels << ", largest value "
             << errors.LargestValue << ", error " << errors.Compared << " at "
             << worst % this->Renderer->GetSize()[0] << " " << worst / this->Renderer->GetSize()[0]
-            << "; " << errors.SilhouettePixels << " pixels near silhouettes, error "
+            << ", " << errors.WrongPixels << " pixels above " << this->GetBound() << "; "
+            << errors.SilhouettePixels << " pixels near silhouettes, error "
             << errors.NearSilhouettes << "\n";
   // An image of nothing is right about nothing.
   errors.Compared = errors.CoveredPixels > 0 ? errors.Compared : -1.0;

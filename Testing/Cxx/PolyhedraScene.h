@@ -51,6 +51,7 @@ public:
     double NearSilhouettes = 0.0;
     int CoveredPixels = 0;
     int SilhouettePixels = 0;
+    int WrongPixels = 0; ///< Compared ones whose error is above the bound.
     double LargestValue = 0.0;
   };
   /**

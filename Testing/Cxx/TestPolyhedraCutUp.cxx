@@ -5,27 +5,9 @@
 #include "PolyhedraScene.h"
 
 #include "vtkConvexCells.h"
-#include "vtkPointData.h"
 
 namespace
 {
-int CountDifferent(vtkImageData* a, vtkImageData* b, double bound)
-{
-  int count = 0;
-  for (vtkIdType pixel = 0; pixel < a->GetNumberOfPoints(); ++pixel)
-  {
-    bool differs = false;
-    for (int i = 0; i < 4; ++i)
-    {
-      const double difference = a->GetPointData()->GetScalars()->GetComponent(pixel, i) -
-                                b->GetPointData()->GetScalars()->GetComponent(pixel, i);
-      differs = differs || !(std::abs(difference) <= bound);
-    }
-    count += differs ? 1 : 0;
-  }
-  return count;
-}
-
 void CheckMesh(TestChecks& checks, PolyhedraScene& scene, vtkUnstructuredGrid* mesh,
   vtkUnstructuredGrid* tetrahedra, const std::string& name)
 {
@@ -37,7 +19,7 @@ void CheckMesh(TestChecks& checks, PolyhedraScene& scene, vtkUnstructuredGrid* m
   scene.Render();
   vtkImageData* cut = scene.Mapper->GetCapturedImage();
   const int lit = scene.CountLitPixels();
-  const int different = CountDifferent(whole, cut, scene.GetBound());
+  const int different = TestScene::CountDifferent(whole, cut, scene.GetBound());
   std::cout << name << ": differ by " << TestScene::Difference(whole, cut) << ", " << different
             << " of " << lit << " pixels by more than " << scene.GetBound() << "\n";
   // A warped face is two triangles with a dent between them, which a cell drawn whole fills: rays

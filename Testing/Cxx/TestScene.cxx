@@ -210,6 +210,24 @@ double TestScene::Difference(vtkImageData* a, vtkImageData* b)
 }
 
 //------------------------------------------------------------------------------
+int TestScene::CountDifferent(vtkImageData* a, vtkImageData* b, double bound)
+{
+  int count = 0;
+  for (vtkIdType pixel = 0; pixel < a->GetNumberOfPoints(); ++pixel)
+  {
+    bool differs = false;
+    for (int i = 0; i < 4; ++i)
+    {
+      const double difference = a->GetPointData()->GetScalars()->GetComponent(pixel, i) -
+                                b->GetPointData()->GetScalars()->GetComponent(pixel, i);
+      differs = differs || !(std::abs(difference) <= bound);
+    }
+    count += differs ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
 vtkSmartPointer<vtkImageData> TestScene::CopyCaptured()
 {
   auto copy = vtkSmartPointer<vtkImageData>::New();

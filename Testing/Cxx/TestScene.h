@@ -72,6 +72,8 @@ public:
   std::array<double, 4> CenterPixel();
   /// The largest difference between two captured images; below zero where their sizes differ.
   static double Difference(vtkImageData* a, vtkImageData* b);
+  /// How many pixels of two images of one size differ by more than `bound` in a component.
+  static int CountDifferent(vtkImageData* a, vtkImageData* b, double bound);
   /// A copy of the image captured last.
   vtkSmartPointer<vtkImageData> CopyCaptured();
   void SetGrid(vtkUnstructuredGrid* grid);
