@@ -127,6 +127,25 @@ void PolyhedraScene::SetFunctions()
 }
 
 //------------------------------------------------------------------------------
+void PolyhedraScene::CheckMostPixels(TestChecks& checks, const std::string& name, int line)
+{
+  const Errors errors = this->CompareWithOracle(name);
+  const bool good = errors.Compared >= 0.0 && errors.WrongPixels <= 0.002 * errors.CoveredPixels;
+  checks.Check(good, name.c_str(), line,
+    std::to_string(errors.WrongPixels) + " pixels, by up to " + std::to_string(errors.Compared));
+}
+
+//------------------------------------------------------------------------------
+void PolyhedraScene::SetLinearEmission()
+{
+  this->Color->RemoveAllPoints();
+  this->Color->AddRGBPoint(0.0, 0.9, 0.5, 0.2);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(0.0, 0.2);
+  this->Opacity->AddPoint(1.0, 1.8);
+}
+
+//------------------------------------------------------------------------------
 void PolyhedraScene::SetMesh(vtkUnstructuredGrid* grid)
 {
   this->Mapper->SetInputData(grid);

@@ -33,6 +33,8 @@ public:
   /// Fits the mapper's blend mode: the scalar itself in red and 1 - scalar in blue for an extremum,
   /// smooth colours and extinctions for sums.
   void SetFunctions();
+  /// One colour and an extinction that is linear in the scalar: so is the emission.
+  void SetLinearEmission();
   void SetMesh(vtkUnstructuredGrid* grid);
   bool IsAdditive() const;
 
@@ -65,6 +67,9 @@ public:
   double GetBound() const;
   /// CompareWithOracle within that bound, and at most 1 covered pixel of 40 near a silhouette.
   void CheckWithOracle(TestChecks& checks, const std::string& name, int line);
+  /// The same for three passes, but for two pixels of a thousand: a triangle that the rasteriser
+  /// sees edge-on, and the dents of warped faces, count the emission of a cell once more.
+  void CheckMostPixels(TestChecks& checks, const std::string& name, int line);
 
 private:
   std::vector<vtkSmartPointer<vtkImageData>> OracleImages();
