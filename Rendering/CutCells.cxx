@@ -29,6 +29,38 @@ unsigned int SidesOf(const glm::vec3& point, const std::vector<glm::vec4>& plane
   return sides;
 }
 
+// `isWanted` is given the sides of all corners of a cell.
+template <class Predicate>
+std::vector<unsigned int> FindBySides(const std::vector<float>& points,
+  const ConvexCellFaces::Rows& corners, const ConvexCellSelection& selection,
+  const std::vector<glm::vec4>& planes, Predicate isWanted)
+{
+  std::vector<unsigned int> sides(points.size() / 4);
+  vtkSMPTools::For(0, static_cast<vtkIdType>(sides.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        sides[i] = SidesOf(glm::make_vec3(&points[4 * i]), planes);
+      }
+    });
+  std::vector<unsigned int> found;
+  for (const unsigned int cell : selection.DrawnCells)
+  {
+    const int row = static_cast<int>(cell);
+    unsigned int all = 0;
+    for (int i = 0; i < corners.GetSize(row); ++i)
+    {
+      all |= sides[corners.GetRow(row)[i]];
+    }
+    if (isWanted(all))
+    {
+      found.push_back(cell);
+    }
+  }
+  return found;
+}
+
 glm::vec4 OfUnitLength(const glm::dvec4& plane)
 {
   const double length = glm::length(glm::dvec3(plane));
@@ -57,30 +89,17 @@ std::vector<unsigned int> Find(const std::vector<float>& points,
   const ConvexCellFaces::Rows& corners, const ConvexCellSelection& selection,
   const std::vector<glm::vec4>& planes)
 {
-  std::vector<unsigned int> sides(points.size() / 4);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(sides.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        sides[i] = SidesOf(glm::make_vec3(&points[4 * i]), planes);
-      }
-    });
-  std::vector<unsigned int> cut;
-  for (const unsigned int cell : selection.DrawnCells)
-  {
-    const int row = static_cast<int>(cell);
-    unsigned int all = 0;
-    for (int i = 0; i < corners.GetSize(row); ++i)
-    {
-      all |= sides[corners.GetRow(row)[i]];
-    }
-    // Both bits of a pair.
-    if ((all & (all >> 1) & 0x55555555u) != 0)
-    {
-      cut.push_back(cell);
-    }
-  }
-  return cut;
+  // Both bits of a pair.
+  return FindBySides(points, corners, selection, planes,
+    [](unsigned int sides) { return (sides & (sides >> 1) & 0x55555555u) != 0; });
+}
+
+//------------------------------------------------------------------------------
+std::vector<unsigned int> FindBehind(const std::vector<float>& points,
+  const ConvexCellFaces::Rows& corners, const ConvexCellSelection& selection,
+  const glm::vec4& plane)
+{
+  return FindBySides(
+    points, corners, selection, { plane }, [](unsigned int sides) { return (sides & 1u) == 0; });
 }
 }

@@ -25,6 +25,11 @@ std::vector<glm::vec4> Planes(const ViewRays& rays, const std::vector<glm::vec4>
 std::vector<unsigned int> Find(const std::vector<float>& points,
   const ConvexCellFaces::Rows& corners, const ConvexCellSelection& selection,
   const std::vector<glm::vec4>& planes);
+
+/// Of the drawn cells those that are behind the plane as a whole, ascending.
+std::vector<unsigned int> FindBehind(const std::vector<float>& points,
+  const ConvexCellFaces::Rows& corners, const ConvexCellSelection& selection,
+  const glm::vec4& plane);
 }
 
 #endif

@@ -24,6 +24,9 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
+#include <algorithm>
+#include <iterator>
+
 namespace
 {
 // Behind the near plane by this, in mesh coordinates: GL has nothing left to cut.
@@ -74,10 +77,13 @@ bool ThreePassRaster::Cut(vtkOpenGLRenderWindow* window, const RasterView& view,
   const PreparedVolume& prepared, const PreparedPolyhedra& polyhedra)
 {
   const ConvexCellBuffers& buffers = polyhedra.Buffers;
+  const std::vector<float>& points = prepared.Coordinates.Points;
+  const ConvexCellFaces::Rows& corners = buffers.GetCells().Corners;
   glm::vec4 nearPlane = CutCells::Planes(*view.Rays, {})[0];
-  const std::vector<unsigned int> cut = CutCells::Find(
-    prepared.Coordinates.Points, buffers.GetCells().Corners, polyhedra.Selection, { nearPlane });
-  this->WholeRanges = this->FindWholeCells(cut);
+  const std::vector<unsigned int> cut =
+    CutCells::Find(points, corners, polyhedra.Selection, { nearPlane });
+  this->WholeRanges = this->FindWholeCells(
+    cut, CutCells::FindBehind(points, corners, polyhedra.Selection, nearPlane));
   this->CutRanges = Ranges();
   nearPlane.w -= Behind;
   CutSurfaces surfaces;
@@ -103,8 +109,12 @@ bool ThreePassRaster::Cut(vtkOpenGLRenderWindow* window, const RasterView& view,
 }
 
 //------------------------------------------------------------------------------
-ThreePassRaster::Ranges ThreePassRaster::FindWholeCells(const std::vector<unsigned int>& cut) const
+ThreePassRaster::Ranges ThreePassRaster::FindWholeCells(
+  const std::vector<unsigned int>& cut, const std::vector<unsigned int>& behind) const
 {
+  // GL does not clip at the near plane here: around the eye a cell behind it would lose its front.
+  std::vector<unsigned int> others;
+  std::merge(cut.begin(), cut.end(), behind.begin(), behind.end(), std::back_inserter(others));
   Ranges ranges;
   int first = 0;
   auto append = [&](int end)
@@ -115,7 +125,7 @@ ThreePassRaster::Ranges ThreePassRaster::FindWholeCells(const std::vector<unsign
       ranges.Count.push_back(3 * (end - first));
     }
   };
-  for (const unsigned int cell : cut)
+  for (const unsigned int cell : others)
   {
     const int at = this->Whole.Find(static_cast<int>(cell));
     if (at >= 0)
@@ -135,7 +145,9 @@ void ThreePassRaster::SetUniforms(vtkShaderProgram* program, const RasterView& v
   const glm::dvec4 viewZ = glm::row(view.Rays->MeshToView, 2);
   const glm::vec4 depth(-viewZ - glm::dvec4(0.0, 0.0, 0.0, view.Rays->Reference));
   program->SetUniform4f("meshToDepth", glm::value_ptr(depth));
-  const bool isMirrored = glm::determinant(glm::dmat3(view.Rays->MeshToView)) < 0.0;
+  // The camera's own transform may mirror as well. Eye coordinates are right-handed, clip ones
+  // left-.
+  const bool isMirrored = glm::determinant(glm::dmat4(view.Rays->MeshToClip)) > 0.0;
   program->SetUniformi("isMirrored", isMirrored ? 1 : 0);
 }
 

@@ -28,7 +28,8 @@ class vtkWindow;
  * over the surface, in any order, and a third one takes them back for the next cell. One draw call
  * does it for all cells, as GL keeps the order of triangles.
  *
- * Cells that the near plane cuts are cut before they are drawn, and closed by a cap.
+ * Cells that the near plane cuts are cut before they are drawn, and closed by a cap; those behind
+ * it are left out.
  */
 class ThreePassRaster
 {
@@ -50,7 +51,9 @@ private:
   bool Update(vtkOpenGLRenderWindow* window, const PreparedPolyhedra& polyhedra);
   bool Cut(vtkOpenGLRenderWindow* window, const RasterView& view, const PreparedVolume& prepared,
     const PreparedPolyhedra& polyhedra);
-  Ranges FindWholeCells(const std::vector<unsigned int>& cut) const;
+  /// All but those two lists.
+  Ranges FindWholeCells(
+    const std::vector<unsigned int>& cut, const std::vector<unsigned int>& behind) const;
   static void SetUniforms(vtkShaderProgram* program, const RasterView& view);
   static void ClearAlpha(vtkOpenGLRenderWindow* window);
   void DrawRanges(vtkShaderProgram* program, TextureBuffer& triangles, const Ranges& ranges);

@@ -110,10 +110,8 @@ bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 void vtkConvexCellMapper::LeaveWindow()
 {
-  // GL names mean something in their own context only: in another they name what others made.
   if (this->Internal->Window)
   {
-    this->Internal->Window->MakeCurrent();
     this->ReleaseGraphicsResources(this->Internal->Window);
   }
 }
@@ -351,10 +349,31 @@ bool vtkConvexCellMapper::IsSupported(vtkRenderWindow* window)
 //------------------------------------------------------------------------------
 void vtkConvexCellMapper::ReleaseGraphicsResources(vtkWindow* window)
 {
+  // GL names mean something in their own context only: in another they name what others made. A
+  // window that is being destroyed is no longer known here, and has made its context current.
+  vtkOpenGLRenderWindow* own = this->Internal->Window;
+  if (own && own != window)
+  {
+    return;
+  }
+  if (own)
+  {
+    own->PushContext();
+  }
+  this->ReleaseBuffers(window);
+  this->Internal->Window = nullptr;
+  if (own)
+  {
+    own->PopContext();
+  }
+  this->Superclass::ReleaseGraphicsResources(window);
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::ReleaseBuffers(vtkWindow* window)
+{
   this->Internal->Depth.ReleaseGraphicsResources(window);
   this->Internal->Target.ReleaseGraphicsResources(window);
-  this->Internal->Window = nullptr;
-  this->Superclass::ReleaseGraphicsResources(window);
 }
 
 //------------------------------------------------------------------------------

@@ -154,6 +154,8 @@ protected:
   /// Releases what the GPU holds, in its own window's context. Subclasses call it in their
   /// destructor.
   void LeaveWindow();
+  /// Deletes what the GPU holds; that window's context is current. Subclasses delete theirs first.
+  virtual void ReleaseBuffers(vtkWindow* window);
 
   int FillInputPortInformation(int port, vtkInformation* info) override;
 

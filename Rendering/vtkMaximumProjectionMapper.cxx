@@ -155,12 +155,12 @@ bool vtkMaximumProjectionMapper::ProjectCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkMaximumProjectionMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkMaximumProjectionMapper::ReleaseBuffers(vtkWindow* window)
 {
   Internals& internal = *this->Internal;
   internal.Polyhedra.Buffers.ReleaseGraphicsResources(window);
   internal.Raster.ReleaseGraphicsResources(window);
   internal.FaceScalarsUploaded = vtkTimeStamp();
   internal.SelectionUploaded = vtkTimeStamp();
-  this->Superclass::ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseBuffers(window);
 }

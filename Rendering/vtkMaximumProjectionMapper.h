@@ -35,11 +35,6 @@ public:
   static vtkMaximumProjectionMapper* New();
   vtkTypeMacro(vtkMaximumProjectionMapper, vtkConvexCellMapper);
 
-  /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   */
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
 protected:
   vtkMaximumProjectionMapper();
   ~vtkMaximumProjectionMapper() override;
@@ -50,6 +45,7 @@ protected:
   bool IsOpacityPerLength() const override { return false; }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
+  void ReleaseBuffers(vtkWindow* window) override;
 
 private:
   vtkMaximumProjectionMapper(const vtkMaximumProjectionMapper&) = delete;

@@ -241,7 +241,7 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkPreIntegratedTetrahedraMapper::ReleaseBuffers(vtkWindow* window)
 {
   Internals& internal = *this->Internal;
   internal.Raster.ReleaseGraphicsResources(window);
@@ -250,7 +250,7 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseGraphicsResources(vtkWindow* windo
   internal.FunctionUploaded = vtkTimeStamp();
   internal.OrderUploaded = vtkTimeStamp();
   internal.TableUploaded = vtkTimeStamp();
-  this->Superclass::ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseBuffers(window);
 }
 
 //------------------------------------------------------------------------------

@@ -95,11 +95,6 @@ public:
   vtkBooleanMacro(ReportOrder, bool);
   ///@}
 
-  /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   */
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
 protected:
   vtkPreIntegratedTetrahedraMapper();
   ~vtkPreIntegratedTetrahedraMapper() override;
@@ -109,6 +104,7 @@ protected:
   bool NeedsTetrahedra() const override { return true; }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
+  void ReleaseBuffers(vtkWindow* window) override;
 
 private:
   vtkPreIntegratedTetrahedraMapper(const vtkPreIntegratedTetrahedraMapper&) = delete;

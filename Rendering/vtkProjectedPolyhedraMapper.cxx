@@ -116,13 +116,13 @@ bool vtkProjectedPolyhedraMapper::ProjectCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkProjectedPolyhedraMapper::ReleaseGraphicsResources(vtkWindow* window)
+void vtkProjectedPolyhedraMapper::ReleaseBuffers(vtkWindow* window)
 {
   this->Internal->Polyhedra.Buffers.ReleaseGraphicsResources(window);
   this->Internal->Raster.ReleaseGraphicsResources();
   this->Internal->ThreePasses.ReleaseGraphicsResources(window);
   this->Internal->CellsUploaded = vtkTimeStamp();
-  this->Superclass::ReleaseGraphicsResources(window);
+  this->Superclass::ReleaseBuffers(window);
 }
 
 //------------------------------------------------------------------------------

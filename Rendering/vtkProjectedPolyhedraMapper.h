@@ -63,11 +63,6 @@ public:
   vtkBooleanMacro(AverageEmission, bool);
   ///@}
 
-  /**
-   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
-   */
-  void ReleaseGraphicsResources(vtkWindow* window) override;
-
 protected:
   vtkProjectedPolyhedraMapper();
   ~vtkProjectedPolyhedraMapper() override;
@@ -77,6 +72,7 @@ protected:
   bool NeedsTetrahedra() const override { return false; }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
+  void ReleaseBuffers(vtkWindow* window) override;
 
 private:
   vtkProjectedPolyhedraMapper(const vtkProjectedPolyhedraMapper&) = delete;
