@@ -78,9 +78,10 @@ void NearPlaneCut::AddCap()
   };
   std::sort(this->Rim.begin(), this->Rim.end(),
     [&](const glm::vec4& a, const glm::vec4& b) { return angle(a) > angle(b); });
-  for (size_t i = 2; i < this->Rim.size(); ++i)
+  // From the middle: the rim of a warped cell is not convex everywhere.
+  for (size_t i = 0; i < this->Rim.size(); ++i)
   {
-    this->Kept.push_back({ { this->Rim[0], this->Rim[i - 1], this->Rim[i] } });
+    this->Kept.push_back({ { center, this->Rim[i], this->Rim[(i + 1) % this->Rim.size()] } });
   }
 }
 

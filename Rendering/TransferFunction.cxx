@@ -73,8 +73,15 @@ void TransferFunction::Build(std::vector<double> candidates, const Evaluator& ev
 void TransferFunction::AppendJoint(
   double scalar, double step, bool first, bool last, const Evaluator& evaluate)
 {
-  const Node below{ scalar, evaluate(first ? scalar : scalar - step) };
-  const Node above{ scalar, evaluate(last ? scalar : scalar + step) };
+  // A limit that is no step is the value itself: beside the end of a ramp it is not quite 0.
+  const Sample here = evaluate(scalar);
+  const auto limit = [&](double beside)
+  {
+    const Sample value = evaluate(beside);
+    return Difference(value, here) > Tolerance ? value : here;
+  };
+  const Node below{ scalar, limit(first ? scalar : scalar - step) };
+  const Node above{ scalar, limit(last ? scalar : scalar + step) };
   if (!first)
   {
     const Node previous = this->Nodes.back();

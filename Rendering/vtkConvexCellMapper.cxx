@@ -2,6 +2,7 @@
 
 #include "BlendModeAdvice.h"
 #include "ConvexCellMapperInternals.h"
+#include "MapperMessages.h"
 #include "PremultipliedBlending.h"
 #include "RayUniforms.h"
 #include "ScalarChoice.h"
@@ -149,19 +150,12 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkConvexCellMapper::CheckInput()
 {
-  vtkUnstructuredGridBase* input = this->GetInput();
-  if (!input)
+  const std::string problem = MapperMessages::InputProblem(this->GetInput());
+  if (!problem.empty())
   {
-    this->FailOnce("No input: call SetInputData or SetInputConnection with an unstructured grid.");
-    return false;
+    this->FailOnce(problem);
   }
-  if (input->GetNumberOfPoints() == 0 || input->GetNumberOfCells() == 0)
-  {
-    this->FailOnce("The input has " + std::to_string(input->GetNumberOfPoints()) + " points and " +
-                   std::to_string(input->GetNumberOfCells()) + " cells: there is nothing to draw.");
-    return false;
-  }
-  return true;
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------
@@ -196,22 +190,11 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
     prepared.Scalars.Build(array, source.Component, choice.OnePerCell, source.Limits.data());
     prepared.ScalarsTime.Modified();
   }
-  this->ReportScalars(array);
-  return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkConvexCellMapper::ReportScalars(vtkDataArray* array)
-{
-  const ScalarField& scalars = this->Internal->Prepared.Scalars;
-  if (scalars.NumberOfNonFiniteValues > 0)
+  if (prepared.Scalars.NumberOfNonFiniteValues > 0)
   {
-    const std::string name = array->GetName() ? array->GetName() : "(without a name)";
-    this->WarnOnce(
-      "Array " + name + " holds " + std::to_string(scalars.NumberOfNonFiniteValues) + " of " +
-      std::to_string(array->GetNumberOfTuples()) + " values that are not finite: " +
-      (scalars.OnePerCell ? "these cells" : "the cells at these points") + " are skipped.");
+    this->WarnOnce(MapperMessages::NonFiniteScalars(array, prepared.Scalars));
   }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -7,7 +7,6 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
-class vtkDataArray;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkTable;
@@ -178,7 +177,6 @@ private:
   void EndFrame(CellProjectionFrame& frame);
 
   bool CheckInput();
-  void ReportScalars(vtkDataArray* array);
 
   class Internals;
   std::unique_ptr<Internals> Internal;
