@@ -27,6 +27,8 @@ public:
   /** Keeps the side of the plane to which `normal` points; `point` is in world coordinates. */
   void AddClippingPlane(const OracleVector& point, const OracleVector& normal);
 
+  const OracleVector& GetCenter() const { return this->Center; }
+
   /** The ray of one pixel up to the window depth in [0, 1], where 1 is the far plane. */
   OracleRay GetRay(int column, int row, double windowDepth) const;
 

@@ -23,6 +23,9 @@ public:
   void AddPolyhedron(
     const std::vector<OracleVertex>& vertices, const std::vector<std::vector<int>>& loops);
 
+  /** False for flat cells and those with a value that is not finite. */
+  static bool IsSolid(const std::vector<OracleVertex>& vertices);
+
   /** Replaces `segments` by those of the ray, nearest first by their middles. */
   void Clip(const OracleRay& ray, std::vector<OracleSegment>& segments) const;
 
@@ -36,7 +39,6 @@ private:
   template <typename Cell>
   static void Clip(const OracleRay& ray, const std::vector<Sphere>& spheres,
     const std::vector<Cell>& cells, std::vector<OracleSegment>& segments);
-  static bool IsSolid(const std::vector<OracleVertex>& vertices);
   static Sphere GetSphere(const std::vector<OracleVertex>& vertices);
   static bool Meets(const OracleRay& ray, const Sphere& sphere);
 

@@ -12,6 +12,10 @@ OracleFunctions::OracleFunctions(vtkVolumeProperty* property)
   : Opacity(property->GetScalarOpacity())
   , UnitDistance(property->GetScalarOpacityUnitDistance())
 {
+  if (property->HasGradientOpacity() && !property->GetDisableGradientOpacity())
+  {
+    this->GradientOpacity = property->GetGradientOpacity();
+  }
   this->AddOpacityBreaks(this->Opacity);
   if (property->GetColorChannels() == 1)
   {
@@ -50,6 +54,12 @@ std::array<double, 3> OracleFunctions::GetColor(double scalar) const
 double OracleFunctions::GetOpacity(double scalar) const
 {
   return this->Opacity->GetValue(scalar);
+}
+
+//------------------------------------------------------------------------------
+double OracleFunctions::GetGradientOpacity(double magnitude) const
+{
+  return this->GradientOpacity ? this->GradientOpacity->GetValue(magnitude) : 1.0;
 }
 
 //------------------------------------------------------------------------------

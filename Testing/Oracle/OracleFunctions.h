@@ -2,8 +2,7 @@
  * The colour and opacity functions of a volume property, evaluated in double by VTK itself.
  *
  * Colour is the RGB or the gray function, by the property's colour channels, linear 0..1 per
- * channel. Component 0 of the property is read; shading, gradient opacity and interpolation type
- * are not. Evaluation is thread-safe after construction, while nobody modifies the property.
+ * channel. Component 0 of the property is read, the interpolation type is not. Evaluation is thread-safe after construction, while nobody modifies the property.
  */
 
 #ifndef OracleFunctions_h
@@ -24,6 +23,10 @@ public:
 
   std::array<double, 3> GetColor(double scalar) const;
   double GetOpacity(double scalar) const;
+
+  /** 1 where the property has none, or it is disabled. */
+  double GetGradientOpacity(double magnitude) const;
+  bool HasGradientOpacity() const { return this->GradientOpacity != nullptr; }
 
   /** Opacity per world length. */
   double GetExtinction(double scalar) const;
@@ -47,6 +50,7 @@ private:
   vtkColorTransferFunction* Color = nullptr;
   vtkPiecewiseFunction* Gray = nullptr;
   vtkPiecewiseFunction* Opacity = nullptr;
+  vtkPiecewiseFunction* GradientOpacity = nullptr;
   double UnitDistance = 1.0;
   std::vector<double> Breaks;
 };

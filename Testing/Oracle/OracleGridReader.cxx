@@ -33,9 +33,10 @@ OracleVector OracleGridReader::GetCenter() const
 }
 
 //------------------------------------------------------------------------------
-OracleCells OracleGridReader::Read() const
+OracleCells OracleGridReader::Read(bool withGradients) const
 {
   OracleCells cells;
+  const OracleGradients gradients = withGradients ? this->ReadGradients() : OracleGradients();
   vtkNew<vtkGenericCell> cell;
   for (vtkIdType cellId = 0; cellId < this->Grid->GetNumberOfCells(); ++cellId)
   {
@@ -44,7 +45,11 @@ OracleCells OracleGridReader::Read() const
     {
       continue;
     }
-    const std::vector<OracleVertex> vertices = this->ReadVertices(cell, cellId);
+    std::vector<OracleVertex> vertices = this->ReadVertices(cell, cellId);
+    for (OracleVertex& vertex : vertices)
+    {
+      vertex.Gradient = gradients.GetGradient(vertex.Id);
+    }
     if (cell->GetCellType() == VTK_TETRA)
     {
       cells.AddTetrahedron(vertices);
@@ -55,6 +60,41 @@ OracleCells OracleGridReader::Read() const
     }
   }
   return cells;
+}
+
+//------------------------------------------------------------------------------
+OracleGradients OracleGridReader::ReadGradients() const
+{
+  OracleGradients gradients;
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType cellId = 0; cellId < this->Grid->GetNumberOfCells(); ++cellId)
+  {
+    this->Grid->GetCell(cellId, cell);
+    if (this->IsDrawn(cell, cellId))
+    {
+      const std::vector<OracleVertex> vertices = this->ReadVertices(cell, cellId);
+      if (OracleCells::IsSolid(vertices))
+      {
+        gradients.AddTetrahedron(vertices);
+      }
+    }
+  }
+  return gradients;
+}
+
+//------------------------------------------------------------------------------
+bool OracleGridReader::HasTetrahedraOnly() const
+{
+  vtkNew<vtkGenericCell> cell;
+  for (vtkIdType cellId = 0; cellId < this->Grid->GetNumberOfCells(); ++cellId)
+  {
+    this->Grid->GetCell(cellId, cell);
+    if (this->IsDrawn(cell, cellId) && cell->GetCellType() != VTK_TETRA)
+    {
+      return false;
+    }
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,7 @@
 #define OracleGridReader_h
 
 #include "OracleCells.h"
+#include "OracleGradients.h"
 
 #include "vtkType.h"
 
@@ -31,10 +32,15 @@ public:
   /** The world position of the centre of the mesh's bounds: the zero of the cells' coordinates. */
   OracleVector GetCenter() const;
 
-  OracleCells Read() const;
+  /** Vertices come with gradients where they are asked for; then all cells must be tetrahedra. */
+  OracleCells Read(bool withGradients) const;
+
+  /** Whether all cells that are drawn are tetrahedra. */
+  bool HasTetrahedraOnly() const;
 
 private:
   bool IsDrawn(vtkCell* cell, vtkIdType cellId) const;
+  OracleGradients ReadGradients() const;
   std::vector<OracleVertex> ReadVertices(vtkCell* cell, vtkIdType cellId) const;
   static std::vector<std::vector<int>> ReadFaces(vtkCell* cell);
   OracleVector Transform(const OracleVector& vector) const;

@@ -12,16 +12,18 @@ const int LastLevel = 60;
 }
 
 //------------------------------------------------------------------------------
-OracleIntegrator::Rgba OracleIntegrator::Composite(const std::vector<OracleSegment>& segments) const
+OracleIntegrator::Rgba OracleIntegrator::Composite(
+  const std::vector<OracleSegment>& segments, const OracleRay& ray) const
 {
-  const Light light = this->Integrate(segments, true);
+  const Light light = this->Integrate(segments, ray, true);
   return { light.Color[0], light.Color[1], light.Color[2], -std::expm1(-light.Depth) };
 }
 
 //------------------------------------------------------------------------------
-OracleIntegrator::Rgba OracleIntegrator::Add(const std::vector<OracleSegment>& segments) const
+OracleIntegrator::Rgba OracleIntegrator::Add(
+  const std::vector<OracleSegment>& segments, const OracleRay& ray) const
 {
-  const Light light = this->Integrate(segments, false);
+  const Light light = this->Integrate(segments, ray, false);
   return { light.Color[0], light.Color[1], light.Color[2], 0.0 };
 }
 
@@ -65,23 +67,36 @@ OracleIntegrator::Rgba OracleIntegrator::Project(double scalar) const
 
 //------------------------------------------------------------------------------
 OracleIntegrator::Light OracleIntegrator::Integrate(
-  const std::vector<OracleSegment>& segments, bool absorbs) const
+  const std::vector<OracleSegment>& segments, const OracleRay& ray, bool absorbs) const
 {
-  Light ray;
+  Light sum;
   for (const OracleSegment& segment : segments)
   {
-    for (const Piece& piece : this->Split(segment))
+    for (const Piece& piece : this->Split(segment, ray))
     {
-      const double transmittance = absorbs ? std::exp(-ray.Depth) : 1.0;
+      const double transmittance = absorbs ? std::exp(-sum.Depth) : 1.0;
       const Light whole = this->Estimate(piece, absorbs);
-      ray = Join(ray, this->Refine(piece, whole, transmittance, absorbs, 0), absorbs);
+      sum = Join(sum, this->Refine(piece, whole, transmittance, absorbs, 0), absorbs);
     }
   }
-  return ray;
+  return sum;
 }
 
 //------------------------------------------------------------------------------
-std::vector<OracleIntegrator::Piece> OracleIntegrator::Split(const OracleSegment& segment) const
+OracleIntegrator::Piece OracleIntegrator::Piece::GetPart(double from, double to) const
+{
+  Piece part = *this;
+  part.Entry = this->Entry + from * (this->Exit - this->Entry);
+  part.Exit = this->Entry + to * (this->Exit - this->Entry);
+  part.First = this->First + from * (this->Last - this->First);
+  part.Last = this->First + to * (this->Last - this->First);
+  part.Length = this->Length * (to - from);
+  return part;
+}
+
+//------------------------------------------------------------------------------
+std::vector<OracleIntegrator::Piece> OracleIntegrator::Split(
+  const OracleSegment& segment, const OracleRay& ray) const
 {
   const double entry = segment.EntryScalar, exit = segment.ExitScalar;
   const double length = segment.Exit - segment.Entry;
@@ -101,9 +116,11 @@ std::vector<OracleIntegrator::Piece> OracleIntegrator::Split(const OracleSegment
   std::vector<Piece> pieces;
   for (std::size_t i = 1; i < scalars.size(); ++i)
   {
-    const double change = scalars[i] - scalars[i - 1];
-    const double share = entry == exit ? 1.0 : change / (exit - entry);
-    pieces.push_back({ scalars[i - 1], scalars[i], length * share });
+    const double width = entry == exit ? 1.0 : exit - entry;
+    const double first = (scalars[i - 1] - entry) / width;
+    const double last = entry == exit ? 1.0 : (scalars[i] - entry) / width;
+    pieces.push_back(
+      { scalars[i - 1], scalars[i], length * (last - first), first, last, &segment, &ray });
   }
   return pieces;
 }
@@ -136,8 +153,10 @@ OracleIntegrator::Light OracleIntegrator::Estimate(const Piece& piece, bool abso
   {
     const double x = this->Quadrature.GetNodes()[i];
     const double scalar = piece.Entry + x * (piece.Exit - piece.Entry);
-    const std::array<double, 3> color = this->Functions.GetColor(scalar);
-    depth[i] = this->Functions.GetExtinction(scalar) * piece.Length;
+    const double share = piece.First + x * (piece.Last - piece.First);
+    const std::array<double, 3> color = this->Shade(piece, share, scalar);
+    depth[i] = this->Functions.GetExtinction(scalar) * piece.Length *
+               this->Functions.GetGradientOpacity(piece.Segment->GetGradient(share).Length());
     for (int channel = 0; channel < 3; ++channel)
     {
       emission[channel][i] = color[channel] * depth[i];
@@ -159,6 +178,20 @@ OracleIntegrator::Light OracleIntegrator::Estimate(const Piece& piece, bool abso
     light.Color[channel] = this->Quadrature.Integrate(emission[channel]);
   }
   return light;
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OracleIntegrator::Shade(const Piece& piece, double share, double scalar) const
+{
+  const std::array<double, 3> color = this->Functions.GetColor(scalar);
+  if (!this->Shading)
+  {
+    return color;
+  }
+  const OracleSegment& segment = *piece.Segment;
+  const double t = segment.Entry + share * (segment.Exit - segment.Entry);
+  return this->Shading->Shade(color, segment.GetGradient(share), piece.Ray->GetPoint(t),
+    piece.Ray->Direction * -1.0);
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,9 @@
  *     maximum, minimum   the extremum s of the segments' scalars: C = kappa(s) opacity(s),
  *                alpha = opacity(s)
  *
+ * Composite is lit where there is a shading, and its extinction is multiplied by the gradient
+ * opacity where the functions have one.
+ *
  * A segment is split at the functions' breaks and each piece is halved until the two halves agree
  * with the whole to 1e-11 (relative to additive colours above 1). What a feature narrower than the
  * node spacing and not at a break does can be missed.
@@ -16,7 +19,9 @@
 
 #include "OracleFunctions.h"
 #include "OracleQuadrature.h"
+#include "OracleRay.h"
 #include "OracleSegment.h"
+#include "OracleShading.h"
 
 #include <array>
 #include <vector>
@@ -26,27 +31,36 @@ class OracleIntegrator
 public:
   using Rgba = std::array<double, 4>;
 
-  explicit OracleIntegrator(const OracleFunctions& functions)
+  /** `shading` may be null. */
+  OracleIntegrator(const OracleFunctions& functions, const OracleShading* shading)
     : Functions(functions)
+    , Shading(shading)
   {
   }
 
-  Rgba Composite(const std::vector<OracleSegment>& segments) const;
-  Rgba Add(const std::vector<OracleSegment>& segments) const;
+  Rgba Composite(const std::vector<OracleSegment>& segments, const OracleRay& ray) const;
+  Rgba Add(const std::vector<OracleSegment>& segments, const OracleRay& ray) const;
   Rgba Maximum(const std::vector<OracleSegment>& segments) const;
   Rgba Minimum(const std::vector<OracleSegment>& segments) const;
 
 private:
-  /** A stretch of the ray along which the scalar is linear, and its two halves. */
+  /**
+   * A stretch of the ray along which the scalar is linear, and its two halves; First and Last are
+   * the shares of its segment that it lies between.
+   */
   struct Piece
   {
     double Entry;
     double Exit;
     double Length;
+    double First;
+    double Last;
+    const OracleSegment* Segment;
+    const OracleRay* Ray;
 
-    Piece GetFront() const { return { this->Entry, this->GetMiddle(), this->Length / 2.0 }; }
-    Piece GetBack() const { return { this->GetMiddle(), this->Exit, this->Length / 2.0 }; }
-    double GetMiddle() const { return (this->Entry + this->Exit) / 2.0; }
+    Piece GetPart(double from, double to) const;
+    Piece GetFront() const { return this->GetPart(0.0, 0.5); }
+    Piece GetBack() const { return this->GetPart(0.5, 1.0); }
   };
 
   /** Colour and optical depth of a stretch of the ray. */
@@ -56,16 +70,19 @@ private:
     double Depth = 0.0;
   };
 
-  Light Integrate(const std::vector<OracleSegment>& segments, bool absorbs) const;
-  std::vector<Piece> Split(const OracleSegment& segment) const;
+  Light Integrate(
+    const std::vector<OracleSegment>& segments, const OracleRay& ray, bool absorbs) const;
+  std::vector<Piece> Split(const OracleSegment& segment, const OracleRay& ray) const;
   Light Refine(
     const Piece& piece, const Light& whole, double transmittance, bool absorbs, int level) const;
   Light Estimate(const Piece& piece, bool absorbs) const;
+  std::array<double, 3> Shade(const Piece& piece, double share, double scalar) const;
   Rgba Project(double scalar) const;
   static Light Join(const Light& front, const Light& back, bool absorbs);
   static bool Agree(const Light& a, const Light& b, double transmittance, bool absorbs);
 
   const OracleFunctions& Functions;
+  const OracleShading* Shading;
   OracleQuadrature Quadrature;
 };
 

@@ -1,10 +1,12 @@
 /**
  * The part of a ray inside one cell: entry and exit as ray parameters in world length, entry <
- * exit, and the scalar at both, linear between them.
+ * exit, and scalar and gradient at both, linear between them.
  */
 
 #ifndef OracleSegment_h
 #define OracleSegment_h
+
+#include "OracleVector.h"
 
 struct OracleSegment
 {
@@ -12,6 +14,14 @@ struct OracleSegment
   double Exit = 0.0;
   double EntryScalar = 0.0;
   double ExitScalar = 0.0;
+  OracleVector EntryGradient;
+  OracleVector ExitGradient;
+
+  /** The gradient where `share` of the segment is passed. */
+  OracleVector GetGradient(double share) const
+  {
+    return this->EntryGradient * (1.0 - share) + this->ExitGradient * share;
+  }
 
   /** Sets the scalars of this part of a whole segment with the scalars `first` and `last`. */
   void Interpolate(const OracleSegment& whole, double first, double last)

@@ -22,6 +22,7 @@ OracleTetrahedron::OracleTetrahedron(std::array<OracleVertex, 4> vertices)
     plane.Normal = (face[1] - face[0]).Cross(face[2] - face[0]);
     plane.Height = plane.Normal.Dot(vertices[opposite].Position - face[0]);
     plane.Scalar = vertices[opposite].Scalar;
+    plane.Gradient = vertices[opposite].Gradient;
   }
 }
 
@@ -53,15 +54,20 @@ bool OracleTetrahedron::Clip(const OracleRay& ray, OracleSegment& segment) const
   {
     return false;
   }
-  segment = { entry, exit, this->Interpolate(ray, entry), this->Interpolate(ray, exit) };
+  segment.Entry = entry;
+  segment.Exit = exit;
+  this->Interpolate(ray, entry, segment.EntryScalar, segment.EntryGradient);
+  this->Interpolate(ray, exit, segment.ExitScalar, segment.ExitGradient);
   return true;
 }
 
 //------------------------------------------------------------------------------
-double OracleTetrahedron::Interpolate(const OracleRay& ray, double t) const
+void OracleTetrahedron::Interpolate(
+  const OracleRay& ray, double t, double& scalar, OracleVector& gradient) const
 {
   double sum = 0.0;
-  double scalar = 0.0;
+  scalar = 0.0;
+  gradient = OracleVector();
   for (const Plane& plane : this->Planes)
   {
     const double height =
@@ -70,6 +76,8 @@ double OracleTetrahedron::Interpolate(const OracleRay& ray, double t) const
     const double weight = std::clamp(height / plane.Height, 0.0, 1.0);
     sum += weight;
     scalar += weight * plane.Scalar;
+    gradient = gradient + plane.Gradient * weight;
   }
-  return scalar / sum;
+  scalar = scalar / sum;
+  gradient = gradient * (1.0 / sum);
 }

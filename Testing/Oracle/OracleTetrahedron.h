@@ -1,6 +1,6 @@
 /**
  * One tetrahedron as four planes: a ray enters through the largest front plane and leaves through
- * the smallest back plane; scalars are interpolated barycentrically at both.
+ * the smallest back plane; scalars and gradients are interpolated barycentrically at both.
  *
  * A shared face gives both of its cells the same ray parameter, bit by bit, in any vertex
  * numbering.
@@ -25,16 +25,18 @@ public:
   bool Clip(const OracleRay& ray, OracleSegment& segment) const;
 
 private:
-  /** The plane of a face; Height is that of the opposite vertex, of which Scalar is the scalar. */
+  /** The plane of a face; Height, Scalar and Gradient are those of the opposite vertex. */
   struct Plane
   {
     OracleVector Point;
     OracleVector Normal;
     double Height;
     double Scalar;
+    OracleVector Gradient;
   };
 
-  double Interpolate(const OracleRay& ray, double t) const;
+  void Interpolate(
+    const OracleRay& ray, double t, double& scalar, OracleVector& gradient) const;
 
   std::array<Plane, 4> Planes;
 };

@@ -1,6 +1,7 @@
 /**
  * A vertex of a cell: the mesh's point id (it fixes every choice that two cells must make alike),
- * the position in world units relative to the mesh's centre, and the scalar.
+ * the position in world units relative to the mesh's centre, the scalar, and its gradient where
+ * one is asked for.
  */
 
 #ifndef OracleVertex_h
@@ -13,6 +14,7 @@ struct OracleVertex
   long long Id = 0;
   OracleVector Position;
   double Scalar = 0.0;
+  OracleVector Gradient;
 };
 
 #endif

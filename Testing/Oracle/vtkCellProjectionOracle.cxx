@@ -4,13 +4,15 @@
 #include "OracleFunctions.h"
 #include "OracleGridReader.h"
 #include "OracleIntegrator.h"
+#include "OracleLightReader.h"
+#include "OracleMatrix.h"
 #include "OracleStatistics.h"
 
 #include "vtkCamera.h"
 #include "vtkCellData.h"
 #include "vtkDataArray.h"
 #include "vtkImageData.h"
-#include "vtkMatrix4x4.h"
+#include "vtkLightCollection.h"
 #include "vtkNew.h"
 #include "vtkObjectFactory.h"
 #include "vtkPlane.h"
@@ -29,32 +31,13 @@
 
 namespace
 {
-using Matrix = std::array<double, 16>;
-
-Matrix CopyMatrix(vtkMatrix4x4* source)
-{
-  Matrix matrix;
-  std::copy_n(source->GetData(), 16, matrix.begin());
-  return matrix;
-}
-
-/** False where the matrix has no inverse. */
-bool InvertMatrix(vtkMatrix4x4* source, Matrix& inverse)
-{
-  vtkNew<vtkMatrix4x4> result;
-  vtkMatrix4x4::Invert(source, result);
-  inverse = CopyMatrix(result);
-  const double determinant = source->Determinant();
-  return determinant != 0.0 && std::isfinite(determinant);
-}
-
 OracleVector MakeVector(const double v[3])
 {
   return { v[0], v[1], v[2] };
 }
 
-OracleIntegrator::Rgba Blend(
-  int mode, const OracleIntegrator& integrator, const std::vector<OracleSegment>& segments)
+OracleIntegrator::Rgba Blend(int mode, const OracleIntegrator& integrator,
+  const std::vector<OracleSegment>& segments, const OracleRay& ray)
 {
   switch (mode)
   {
@@ -63,9 +46,9 @@ OracleIntegrator::Rgba Blend(
     case vtkCellProjectionOracle::MINIMUM_INTENSITY_BLEND:
       return integrator.Minimum(segments);
     case vtkCellProjectionOracle::ADDITIVE_BLEND:
-      return integrator.Add(segments);
+      return integrator.Add(segments, ray);
     default:
-      return integrator.Composite(segments);
+      return integrator.Composite(segments, ray);
   }
 }
 
@@ -81,6 +64,7 @@ vtkStandardNewMacro(vtkCellProjectionOracle);
 vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, InputData, vtkUnstructuredGrid);
 vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, Volume, vtkVolume);
 vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, Camera, vtkCamera);
+vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, Lights, vtkLightCollection);
 vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, ClippingPlanes, vtkPlaneCollection);
 vtkCxxSetSmartPointerMacro(vtkCellProjectionOracle, OpaqueDepth, vtkDataArray);
 
@@ -133,7 +117,7 @@ bool vtkCellProjectionOracle::Update()
   {
     return false;
   }
-  const Matrix dataToWorld = CopyMatrix(this->Volume->GetMatrix());
+  const OracleMatrix::Values dataToWorld = OracleMatrix::Copy(this->Volume->GetMatrix());
   const OracleGridReader reader(this->InputData, scalars, this->CellScalars, dataToWorld);
   const OracleVector center = reader.GetCenter();
   const double zero[3] = { center.X, center.Y, center.Z };
@@ -142,8 +126,22 @@ bool vtkCellProjectionOracle::Update()
   {
     return false;
   }
-  this->Draw(*camera, reader.Read());
+  const bool withGradients = this->NeedsGradients();
+  if (withGradients && !reader.HasTetrahedraOnly())
+  {
+    vtkErrorMacro("Shading and gradient opacity need tetrahedra alone: cut the cells up first.");
+    return false;
+  }
+  this->Draw(*camera, reader.Read(withGradients));
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkCellProjectionOracle::NeedsGradients()
+{
+  vtkVolumeProperty* property = this->Volume->GetProperty();
+  return this->BlendMode == COMPOSITE_BLEND &&
+         (property->GetShade() || OracleFunctions(property).HasGradientOpacity());
 }
 
 //------------------------------------------------------------------------------
@@ -222,9 +220,9 @@ bool vtkCellProjectionOracle::CreateCamera(
   const double center[3], std::unique_ptr<OracleCamera>& camera)
 {
   const double aspect = static_cast<double>(this->Size[0]) / this->Size[1];
-  Matrix clipToView, viewToWorld;
-  if (!InvertMatrix(this->Camera->GetProjectionTransformMatrix(aspect, -1, 1), clipToView) ||
-      !InvertMatrix(this->Camera->GetViewTransformMatrix(), viewToWorld))
+  OracleMatrix::Values clipToView, viewToWorld;
+  if (!OracleMatrix::Invert(this->Camera->GetProjectionTransformMatrix(aspect, -1, 1), clipToView) ||
+      !OracleMatrix::Invert(this->Camera->GetViewTransformMatrix(), viewToWorld))
   {
     vtkErrorMacro("The camera's view or projection matrix has no inverse.");
     return false;
@@ -249,7 +247,11 @@ void vtkCellProjectionOracle::Draw(const OracleCamera& camera, const OracleCells
   this->Segments.assign(static_cast<std::size_t>(this->Size[0]) * this->Size[1], 0);
   double* pixels = static_cast<double*>(this->Image->GetScalarPointer());
   const OracleFunctions functions(this->Volume->GetProperty());
-  const OracleIntegrator integrator(functions);
+  const OracleLightReader lights(this->Camera, camera.GetCenter());
+  const OracleShading shading = lights.Read(this->Volume->GetProperty(), this->Lights);
+  const bool isLit =
+    this->BlendMode == COMPOSITE_BLEND && this->Volume->GetProperty()->GetShade() != 0;
+  const OracleIntegrator integrator(functions, isLit ? &shading : nullptr);
   vtkSMPTools::For(0, this->Size[1], 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -269,8 +271,9 @@ void vtkCellProjectionOracle::DrawRow(int row, const OracleCamera& camera, const
   {
     const vtkIdType index = static_cast<vtkIdType>(row) * this->Size[0] + column;
     const double depth = this->OpaqueDepth ? this->OpaqueDepth->GetComponent(index, 0) : 1.0;
-    cells.Clip(camera.GetRay(column, row, depth), segments);
-    const OracleIntegrator::Rgba pixel = Blend(this->BlendMode, integrator, segments);
+    const OracleRay ray = camera.GetRay(column, row, depth);
+    cells.Clip(ray, segments);
+    const OracleIntegrator::Rgba pixel = Blend(this->BlendMode, integrator, segments, ray);
     std::copy(pixel.begin(), pixel.end(), pixels + 4 * index);
     this->Segments[index] = static_cast<vtkIdType>(segments.size());
   }
@@ -376,6 +379,7 @@ void vtkCellProjectionOracle::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "InputData: " << this->InputData << "\n";
   os << indent << "Volume: " << this->Volume << "\n";
   os << indent << "Camera: " << this->Camera << "\n";
+  os << indent << "Lights: " << this->Lights << "\n";
   os << indent << "ClippingPlanes: " << this->ClippingPlanes << "\n";
   os << indent << "OpaqueDepth: " << this->OpaqueDepth << "\n";
   os << indent << "Image: " << this->Image << "\n";

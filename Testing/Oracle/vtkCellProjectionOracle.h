@@ -12,7 +12,9 @@
  *              ray's entry and exit). Ignored: 2-D and lower cells, non-linear cells and convex
  * point sets, duplicate and hidden (ghost) cells, cells of zero volume or with a non-finite value
  *     scalars  component 0 of the point array (default) or, constant per cell, of the cell array
- *     volume   its property's colour, opacity and unit distance (component 0), its matrix
+ *     volume   its property's colour, opacity, gradient opacity, unit distance and lighting
+ *              (component 0), its matrix; gradients are those at the points, volume-weighted from
+ *              the tetrahedra around them, linear in between; composite alone is lit
  *     image    width x height, double, 4 components: premultiplied RGBA, first row at the bottom,
  *              before any blending into a background
  *
@@ -20,12 +22,12 @@
  * the camera's clipping range, the clipping planes and the opaque depth cut the rays.
  *
  * Errors: no input, volume or camera, a size below 1, an unknown blend mode, a missing array, a
- * unit distance that is not positive, a matrix without an inverse, and a depth array of the wrong
- * length give one vtkErrorMacro, and Update() returns false and leaves no image.
+ * unit distance that is not positive, a matrix without an inverse, a depth array of the wrong
+ * length, and shading or gradient opacity of other cells than tetrahedra give one vtkErrorMacro, and Update() returns false and leaves no image.
  *
  * Not guaranteed: cells that overlap are drawn one after the other by the middles of their
- * segments; non-convex polyhedra are drawn as their outermost intersections; shading and gradient
- * opacity are not part of the model; nothing is updated unless Update() is called.
+ * segments; non-convex polyhedra are drawn as their outermost intersections; nothing is updated
+ * unless Update() is called.
  */
 
 #ifndef vtkCellProjectionOracle_h
@@ -46,6 +48,7 @@ class OracleStatistics;
 class vtkCamera;
 class vtkDataArray;
 class vtkImageData;
+class vtkLightCollection;
 class vtkPlaneCollection;
 class vtkUnstructuredGrid;
 class vtkVolume;
@@ -90,6 +93,12 @@ public:
   void SetCellScalars(bool cellScalars);
   vtkGetMacro(CellScalars, bool);
   ///@}
+
+  /**
+   * What lights the volume where its property's Shade is on; a directional light whose focal point is
+   * its position is left out. Null is a white headlight. Default: null.
+   */
+  void SetLights(vtkLightCollection* lights);
 
   /** World planes; the side where a plane's function is not negative is kept. Default: null. */
   void SetClippingPlanes(vtkPlaneCollection* planes);
@@ -143,6 +152,7 @@ private:
   bool CheckInputs();
   bool CheckNumbers();
   vtkDataArray* FindScalars();
+  bool NeedsGradients();
   bool CreateCamera(const double center[3], std::unique_ptr<OracleCamera>& camera);
   void Draw(const OracleCamera& camera, const OracleCells& cells);
   void DrawRow(int row, const OracleCamera& camera, const OracleCells& cells,
@@ -154,6 +164,7 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> InputData;
   vtkSmartPointer<vtkVolume> Volume;
   vtkSmartPointer<vtkCamera> Camera;
+  vtkSmartPointer<vtkLightCollection> Lights;
   vtkSmartPointer<vtkPlaneCollection> ClippingPlanes;
   vtkSmartPointer<vtkDataArray> OpaqueDepth;
   vtkSmartPointer<vtkImageData> Image;
