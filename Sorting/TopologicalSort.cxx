@@ -23,15 +23,15 @@ int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
     }
     const WaitingCell& own = all[cell];
     const int* next = own.Next;
-    const int* end = next + own.State;
-    if (own.State == WaitingCell::LongList)
+    const int* end = next + own.State();
+    if (own.State() == WaitingCell::LongList)
     {
       next = longLists.data() + own.Next[0];
       end = longLists.data() + own.Next[1];
     }
     for (; next != end; ++next)
     {
-      if ((all[*next].State -= WaitingCell::Unit) < WaitingCell::Unit)
+      if ((all[*next].State() -= WaitingCell::Unit) < WaitingCell::Unit)
       {
         *top++ = *next;
       }

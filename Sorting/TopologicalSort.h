@@ -13,13 +13,15 @@ struct alignas(16) WaitingCell
   static constexpr int Unit = 8;
   static constexpr int LongList = 4;
 
-  /** Cells that must come before it and are not in the order yet, times Unit, plus the number of
-   *  those that it releases; LongList instead of that number where they are more than three. */
-  int State;
-  /** Those that it releases; or where they begin and end in the long lists. */
-  int Next[3];
+  /** The cells that it releases, or where they begin and end in the long lists; the last is the
+   *  state: cells that must come before it and are not in the order yet, times Unit, plus the
+   *  number of those that it releases; LongList instead of that number where they are more than
+   *  three. */
+  int Next[4];
 
-  bool IsWaiting() const { return this->State >= Unit; }
+  int& State() { return this->Next[3]; }
+  int State() const { return this->Next[3]; }
+  bool IsWaiting() const { return this->State() >= Unit; }
 };
 
 namespace TopologicalSort

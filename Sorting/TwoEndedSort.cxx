@@ -6,6 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+// Of a tetrahedron.
+constexpr int FewLinks = 4;
+}
+
 //------------------------------------------------------------------------------
 void TwoEndedSort::Build(const SignedLinks& links, const std::vector<double>& centers,
   const double center[3], int numberOfMeshCells)
@@ -17,6 +23,7 @@ void TwoEndedSort::Build(const SignedLinks& links, const std::vector<double>& ce
   this->Cells.resize(static_cast<size_t>(links.GetNumberOfCells()));
   this->LongLists.resize(static_cast<size_t>(links.GetNumberOfLinks()));
   this->FindOctants();
+  this->FindOwnHalf();
 }
 
 //------------------------------------------------------------------------------
@@ -41,6 +48,27 @@ void TwoEndedSort::FindOctants()
 }
 
 //------------------------------------------------------------------------------
+void TwoEndedSort::FindOwnHalf()
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    std::vector<unsigned char>& own = this->OwnHalf[axis];
+    own.assign(this->Cells.size(), 0);
+    for (int cell = 0; cell < static_cast<int>(own.size()); ++cell)
+    {
+      const int first = this->Links->Begin(cell);
+      const int count = std::min(this->Links->End(cell) - first, FewLinks);
+      for (int i = 0; i < count; ++i)
+      {
+        const int octants =
+          this->Octants[cell] ^ this->Octants[this->Links->GetNeighbor(first + i)];
+        own[cell] |= static_cast<unsigned char>((~octants >> axis & 1) << i);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
 void TwoEndedSort::ChooseHalves(const double eye[4], bool centersFirst)
 {
   double towards[3];
@@ -60,13 +88,31 @@ void TwoEndedSort::ChooseHalves(const double eye[4], bool centersFirst)
 }
 
 //------------------------------------------------------------------------------
+void TwoEndedSort::FindFewNext(int cell, int direction, int listed)
+{
+  const int first = this->Links->Begin(cell);
+  const int last = this->Links->End(cell);
+  WaitingCell& own = this->Cells[cell];
+  int count = 0;
+  int before = 0;
+  for (int link = first; link < last; ++link, listed >>= 1)
+  {
+    const int across = direction * this->Links->CompareAcross(link);
+    before += across < 0 ? 1 : 0;
+    // Written in any case, kept where it counts: no branch to guess.
+    own.Next[count] = this->Links->GetNeighbor(link);
+    count += (across > 0 ? 1 : 0) & listed;
+  }
+  own.State() = before * WaitingCell::Unit + count;
+}
+
+//------------------------------------------------------------------------------
 template <class Predicate>
 WaitingCell TwoEndedSort::FindNext(int cell, int direction, Predicate isListed, bool countsAll)
 {
   const int first = this->Links->Begin(cell);
   const int last = this->Links->End(cell);
-  int few[4] = { 0, 0, 0, 0 };
-  int* list = last - first <= 4 ? few : &this->LongLists[first];
+  int* list = &this->LongLists[first];
   int next = 0;
   int before = 0;
   for (int link = first; link < last; ++link)
@@ -79,15 +125,31 @@ WaitingCell TwoEndedSort::FindNext(int cell, int direction, Predicate isListed, 
     list[next] = neighbor;
     next += across > 0 && listed ? 1 : 0;
   }
-  WaitingCell own{ before * WaitingCell::Unit + next, { 0, 0, 0 } };
   if (next > 3)
   {
-    std::copy_n(list, next, &this->LongLists[first]);
-    return { before * WaitingCell::Unit + WaitingCell::LongList, { first, first + next, 0 } };
+    return { { first, first + next, 0, before * WaitingCell::Unit + WaitingCell::LongList } };
   }
-  // All three, for a fixed number is copied without a loop.
-  std::copy_n(list, 3, own.Next);
+  WaitingCell own{ { 0, 0, 0, before * WaitingCell::Unit + next } };
+  std::copy_n(list, next, own.Next);
   return own;
+}
+
+//------------------------------------------------------------------------------
+void TwoEndedSort::FindNextInHalf(int cell)
+{
+  const bool far = this->IsFar(cell);
+  const int direction = far ? 1 : -1;
+  if (this->Links->End(cell) - this->Links->Begin(cell) <= FewLinks)
+  {
+    const int listed = this->HalfAxis < 3 ? this->OwnHalf[this->HalfAxis][cell] : ~0;
+    this->FindFewNext(cell, direction, listed);
+    if (this->Cells[cell].State() % WaitingCell::Unit < WaitingCell::LongList)
+    {
+      return;
+    }
+  }
+  this->Cells[cell] = this->FindNext(
+    cell, direction, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
 }
 
 //------------------------------------------------------------------------------
@@ -98,9 +160,7 @@ void TwoEndedSort::FindNext()
     {
       for (auto cell = static_cast<int>(begin); cell < end; ++cell)
       {
-        const bool far = this->IsFar(cell);
-        this->Cells[cell] = this->FindNext(
-          cell, far ? 1 : -1, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
+        this->FindNextInHalf(cell);
       }
     });
 }
@@ -205,7 +265,7 @@ void TwoEndedSort::Release(const std::vector<int>& circle)
 {
   for (const int cell : circle)
   {
-    this->Cells[cell].State %= WaitingCell::Unit;
+    this->Cells[cell].State() %= WaitingCell::Unit;
   }
   for (const int cell : circle)
   {
@@ -214,7 +274,7 @@ void TwoEndedSort::Release(const std::vector<int>& circle)
       const int neighbor = this->Links->GetNeighbor(link);
       if (this->Links->CompareAcross(link) > 0 && this->IsWaiting(neighbor))
       {
-        this->Cells[neighbor].State -= WaitingCell::Unit;
+        this->Cells[neighbor].State() -= WaitingCell::Unit;
         if (!this->IsWaiting(neighbor))
         {
           this->Stack.push_back(neighbor);

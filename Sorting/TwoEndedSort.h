@@ -17,6 +17,7 @@
 #include "SignedLinks.h"
 #include "TopologicalSort.h"
 
+#include <array>
 #include <vector>
 
 class TwoEndedSort
@@ -52,8 +53,11 @@ private:
   {
     return ((this->Octants[cell] >> this->HalfAxis) & 1) == this->FarBit;
   }
+  void FindOwnHalf();
+  void FindFewNext(int cell, int direction, int listed);
   template <class Predicate>
   WaitingCell FindNext(int cell, int direction, Predicate isListed, bool countsAll);
+  void FindNextInHalf(int cell);
   void FindNext();
   void TakeSources(bool far, std::vector<int>& stack);
   void SortHalf(bool far, const double eye[4], bool centersFirst);
@@ -66,6 +70,8 @@ private:
   int NumberOfMeshCells = 0;
   // Bit i: beyond the median of the centres along axis i.
   std::vector<unsigned char> Octants;
+  // Of each cell by axis: bit k says that its link k, of the first four, stays in its half.
+  std::array<std::vector<unsigned char>, 3> OwnHalf;
 
   // Per eye. LongLists: the neighbours that a cell with many releases, from its first link on.
   int HalfAxis = 0;
