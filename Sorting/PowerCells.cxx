@@ -7,11 +7,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <utility>
 
 namespace
 {
 constexpr vtkIdType Grain = 16384;
+// From here on std::sort is faster than insertion.
+constexpr vtkIdType LongRun = 16;
 
 double Evaluate(const PowerCells::Lift& lift, const double eye[4])
 {
@@ -96,11 +97,10 @@ void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
 
 //------------------------------------------------------------------------------
 // Writes the runs of equal keys that begin in begin .. end.
-void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order)
+void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order) const
 {
   const RadixSort::Item* items = this->Sort.GetItems();
   const vtkIdType count = this->GetNumberOfCells();
-  Run run;
   while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
   {
     ++begin;
@@ -115,26 +115,38 @@ void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order)
     }
     if (next - begin > 1)
     {
-      this->WriteRun(begin, next, run, order);
+      this->WriteRun(begin, next, order);
     }
     begin = next;
   }
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order)
+void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, vtkIdType* order) const
 {
   const RadixSort::Item* items = this->Sort.GetItems();
-  const auto entryOf = [&](vtkIdType i)
-  { return std::make_pair(this->Keys[items[i].Id], vtkIdType(items[i].Id)); };
-  run.clear();
+  const double* keys = this->Keys.data();
+  const auto isFarther = [keys](vtkIdType a, vtkIdType b)
+  { return keys[a] < keys[b] || (keys[a] == keys[b] && a < b); };
   for (vtkIdType i = begin; i < end; ++i)
   {
-    run.push_back(entryOf(i));
+    order[i] = items[i].Id;
   }
-  std::sort(run.begin(), run.end());
-  std::transform(
-    run.begin(), run.end(), order + begin, [](const auto& entry) { return entry.second; });
+  if (end - begin > LongRun)
+  {
+    std::sort(order + begin, order + end, isFarther);
+    return;
+  }
+  for (vtkIdType i = begin + 1; i < end; ++i)
+  {
+    const vtkIdType cell = order[i];
+    vtkIdType place = i;
+    for (; place > begin && isFarther(cell, order[place - 1]); --place)
+    {
+      order[place] = order[place - 1];
+    }
+    order[place] = cell;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,6 @@
 
 #include "vtkType.h"
 
-#include <utility>
 #include <vector>
 
 class PowerCells
@@ -63,12 +62,11 @@ private:
   {
     double X[4];
   };
-  using Run = std::vector<std::pair<double, vtkIdType>>;
   Eye Transform(const double eye[4]) const;
   void FillItems(const Eye& eye, vtkIdType begin, vtkIdType end);
-  void WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order);
+  void WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order) const;
   /** Items of one 32-bit key, by their keys in double. */
-  void WriteRun(vtkIdType begin, vtkIdType end, Run& run, vtkIdType* order);
+  void WriteRun(vtkIdType begin, vtkIdType end, vtkIdType* order) const;
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Scale = 1.0;

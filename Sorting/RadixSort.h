@@ -32,6 +32,7 @@ public:
 
   /** To be filled before Sort, and read after it; Sort moves the items to another address. */
   Item* GetItems() { return this->Items.data(); }
+  const Item* GetItems() const { return this->Items.data(); }
 
   void Sort();
 
