@@ -27,6 +27,8 @@ struct ImaginaryCells
   std::vector<int> FaceOffsets{ 0 };
   /** Which faces are whose: where each cell begins in FaceOffsets, and the end. */
   std::vector<int> CellOffsets{ 0 };
+  /** Each cell has four triangles. */
+  bool AreTetrahedra = false;
   /** Where a cell touches the mesh or another of these cells; points are those of the mesh. */
   std::vector<CellComplex::Contact> Contacts;
 

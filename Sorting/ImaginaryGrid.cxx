@@ -3,14 +3,17 @@
 #include "Convexification.h"
 #include "vtkCellData.h"
 #include "vtkFieldData.h"
+#include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
 #include "vtkNew.h"
 #include "vtkPointData.h"
+#include "vtkTetra.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
@@ -44,11 +47,26 @@ void AppendAttributes(
   }
 }
 
+void AppendTetrahedron(const ImaginaryCells& cells, int cell, vtkUnstructuredGrid* output)
+{
+  const int* face = &cells.FaceCorners[cells.FaceOffsets[cells.CellOffsets[cell]]];
+  const auto isNew = [face](int corner) { return std::find(face, face + 3, corner) == face + 3; };
+  // Seen from the fourth corner the first face, which turns outward, is clockwise.
+  const vtkIdType corners[4] = { face[0], face[2], face[1],
+    *std::find_if(face + 3, face + 6, isNew) };
+  output->InsertNextCell(VTK_TETRA, 4, corners);
+}
+
 void AppendCells(const ImaginaryCells& cells, vtkUnstructuredGrid* output)
 {
   vtkNew<vtkIdList> stream;
   for (int cell = 0; cell < cells.GetNumberOfCells(); ++cell)
   {
+    if (cells.AreTetrahedra)
+    {
+      AppendTetrahedron(cells, cell, output);
+      continue;
+    }
     stream->Reset();
     stream->InsertNextId(cells.CellOffsets[cell + 1] - cells.CellOffsets[cell]);
     for (int face = cells.CellOffsets[cell]; face < cells.CellOffsets[cell + 1]; ++face)
@@ -189,5 +207,36 @@ void Append(vtkUnstructuredGrid* input, const ImaginaryCells& cells, vtkUnstruct
   std::fill_n(marks->GetPointer(0) + meshCells, more, 1);
   output->GetCellData()->AddArray(marks);
   output->GetFieldData()->AddArray(MakeContacts(cells));
+}
+
+//------------------------------------------------------------------------------
+Size Measure(vtkUnstructuredGrid* grid, vtkIdType begin, vtkIdType end)
+{
+  Size size;
+  vtkNew<vtkGenericCell> cell;
+  double corners[4][3];
+  for (vtkIdType id = begin; id < end; ++id)
+  {
+    grid->GetCell(id, cell);
+    if (cell->GetCellDimension() < 3)
+    {
+      continue;
+    }
+    cell->GetPoints()->GetPoint(0, corners[0]);
+    size.Faces += cell->GetNumberOfFaces();
+    for (int f = 0; f < cell->GetNumberOfFaces(); ++f)
+    {
+      vtkPoints* face = cell->GetFace(f)->GetPoints();
+      face->GetPoint(0, corners[1]);
+      for (vtkIdType i = 1; i + 1 < face->GetNumberOfPoints(); ++i)
+      {
+        face->GetPoint(i, corners[2]);
+        face->GetPoint(i + 1, corners[3]);
+        size.Volume +=
+          std::abs(vtkTetra::ComputeVolume(corners[0], corners[1], corners[2], corners[3]));
+      }
+    }
+  }
+  return size;
 }
 }

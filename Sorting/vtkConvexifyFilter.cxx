@@ -5,11 +5,15 @@
 #include "ImaginaryGrid.h"
 #include "VTKVersions.h"
 
+#include "vtkCellData.h"
 #include "vtkFieldData.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkTimerLog.h"
+#include "vtkTrivialProducer.h"
 #include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
 
 vtkStandardNewMacro(vtkConvexifyFilter);
 
@@ -17,6 +21,33 @@ namespace
 {
 // Rounding leaves 1e-14; more is a boundary that runs through itself.
 constexpr double LargestVolumeError = 1e-9;
+}
+
+//------------------------------------------------------------------------------
+vtkConvexifyFilter::vtkConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
+vtkConvexifyFilter::~vtkConvexifyFilter() = default;
+
+//------------------------------------------------------------------------------
+void vtkConvexifyFilter::SetFillAlgorithm(vtkUnstructuredGridAlgorithm* algorithm)
+{
+  if (this->FillAlgorithm != algorithm)
+  {
+    this->FillAlgorithm = algorithm;
+    if (algorithm)
+    {
+      algorithm->SetInputConnection(this->FillInput->GetOutputPort());
+    }
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkMTimeType vtkConvexifyFilter::GetMTime()
+{
+  const vtkMTimeType own = this->Superclass::GetMTime();
+  return this->FillAlgorithm ? std::max(own, this->FillAlgorithm->GetMTime()) : own;
 }
 
 //------------------------------------------------------------------------------
@@ -32,6 +63,54 @@ int vtkConvexifyFilter::RequestData(
     this->Report(CellComplex(), ConvexificationResult());
     return 1;
   }
+  if (this->FillMethod != ALGORITHM || !this->FillByAlgorithm(input, output))
+  {
+    this->FillByCuts(input, output);
+  }
+  this->Seconds = vtkTimerLog::GetUniversalTime() - start;
+  return 1;
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexifyFilter::FillByAlgorithm(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
+  if (!this->FillAlgorithm)
+  {
+    vtkErrorMacro(
+      "FillMethod is Algorithm, but there is none: call SetFillAlgorithm. Cuts are made.");
+    return false;
+  }
+  vtkNew<vtkUnstructuredGrid> copy;
+  copy->ShallowCopy(input);
+  this->FillInput->SetOutput(copy);
+  this->FillAlgorithm->Update();
+  vtkUnstructuredGrid* filled = this->FillAlgorithm->GetOutput();
+  if (!filled->GetCellData()->HasArray("Imaginary"))
+  {
+    vtkErrorMacro("The FillAlgorithm, a "
+                  << this->FillAlgorithm->GetClassName()
+                  << ", gives no array Imaginary (vtkTetGenTetrahedralizer: "
+                     "call SetModeToFillHull). Cuts are made.");
+    return false;
+  }
+  output->ShallowCopy(filled);
+  const vtkIdType cells = input->GetNumberOfCells();
+  const ImaginaryGrid::Size mesh = ImaginaryGrid::Measure(output, 0, cells);
+  const ImaginaryGrid::Size added =
+    ImaginaryGrid::Measure(output, cells, output->GetNumberOfCells());
+  this->Report(CellComplex(), ConvexificationResult());
+  this->NumberOfImaginaryCells = output->GetNumberOfCells() - cells;
+  this->InputConvex = this->NumberOfImaginaryCells == 0;
+  this->FacesPerImaginaryCell =
+    this->InputConvex ? 0.0 : static_cast<double>(added.Faces) / this->NumberOfImaginaryCells;
+  this->ImaginaryVolume = added.Volume;
+  this->EnclosureVolume = mesh.Volume + added.Volume;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexifyFilter::FillByCuts(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output)
+{
   CellComplex complex;
   CellComplexReader::Read(input, complex);
   const ConvexificationResult result = this->Convexify(complex);
@@ -42,8 +121,6 @@ int vtkConvexifyFilter::RequestData(
     output->GetFieldData()->RemoveArray("ImaginaryContacts");
   }
   this->Report(complex, result);
-  this->Seconds = vtkTimerLog::GetUniversalTime() - start;
-  return 1;
 }
 
 //------------------------------------------------------------------------------
@@ -99,6 +176,10 @@ void vtkConvexifyFilter::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Enclosure: " << (this->Enclosure == CONVEX_HULL ? "ConvexHull" : "BoundingBox")
+     << "\n";
+  os << indent << "FillMethod: " << (this->FillMethod == CUTS ? "Cuts" : "Algorithm") << "\n";
+  os << indent
+     << "FillAlgorithm: " << (this->FillAlgorithm ? this->FillAlgorithm->GetClassName() : "(none)")
      << "\n";
   os << indent << "NumberOfCandidateCuts: " << this->NumberOfCandidateCuts << "\n";
   os << indent << "DiscardOutsideHull: " << (this->DiscardOutsideHull ? "On" : "Off") << "\n";

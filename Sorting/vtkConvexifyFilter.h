@@ -34,8 +34,11 @@
 #define vtkConvexifyFilter_h
 
 #include "vtkCellProjectionModule.h" // for export macro
+#include "vtkNew.h"                  // for vtkNew
+#include "vtkSmartPointer.h"         // for vtkSmartPointer
 #include "vtkUnstructuredGridAlgorithm.h"
 
+class vtkTrivialProducer;
 struct CellComplex;
 struct ConvexificationResult;
 
@@ -61,6 +64,39 @@ public:
   void SetEnclosureToConvexHull() { this->SetEnclosure(CONVEX_HULL); }
   void SetEnclosureToBoundingBox() { this->SetEnclosure(BOUNDING_BOX); }
   ///@}
+
+  enum FillMethodType
+  {
+    CUTS = 0,
+    ALGORITHM = 1
+  };
+
+  ///@{
+  /**
+   * Who makes the imaginary cells: the cutting planes of the paper (the default), or the
+   * FillAlgorithm, which fills the convex hull whatever the Enclosure is.
+   */
+  vtkSetClampMacro(FillMethod, int, CUTS, ALGORITHM);
+  vtkGetMacro(FillMethod, int);
+  void SetFillMethodToCuts() { this->SetFillMethod(CUTS); }
+  void SetFillMethodToAlgorithm() { this->SetFillMethod(ALGORITHM); }
+  ///@}
+
+  ///@{
+  /**
+   * For FillMethod Algorithm: any that gives back the cells of its input, then imaginary ones, with
+   * the arrays above, such as vtkTetGenTetrahedralizer in its mode FillHull (a library of its own,
+   * which this one does not need). Its first input is connected here. Where it is missing, or adds
+   * no array `Imaginary`, an error says so, and cuts are made. Default: none.
+   */
+  void SetFillAlgorithm(vtkUnstructuredGridAlgorithm* algorithm);
+  vtkUnstructuredGridAlgorithm* GetFillAlgorithm() { return this->FillAlgorithm; }
+  ///@}
+
+  /**
+   * Of the FillAlgorithm, too.
+   */
+  vtkMTimeType GetMTime() override;
 
   ///@{
   /**
@@ -117,8 +153,8 @@ public:
   vtkGetMacro(Seconds, double);
 
 protected:
-  vtkConvexifyFilter() = default;
-  ~vtkConvexifyFilter() override = default;
+  vtkConvexifyFilter();
+  ~vtkConvexifyFilter() override;
 
   int RequestData(vtkInformation* request, vtkInformationVector** inputVector,
     vtkInformationVector* outputVector) override;
@@ -127,10 +163,16 @@ private:
   vtkConvexifyFilter(const vtkConvexifyFilter&) = delete;
   void operator=(const vtkConvexifyFilter&) = delete;
 
+  bool FillByAlgorithm(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
+  void FillByCuts(vtkUnstructuredGrid* input, vtkUnstructuredGrid* output);
   ConvexificationResult Convexify(const CellComplex& complex);
   void Report(const CellComplex& complex, const ConvexificationResult& result);
 
   int Enclosure = CONVEX_HULL;
+  int FillMethod = CUTS;
+  vtkSmartPointer<vtkUnstructuredGridAlgorithm> FillAlgorithm;
+  // Hands the input on to it, so that it has not changed where the input has not.
+  vtkNew<vtkTrivialProducer> FillInput;
   int NumberOfCandidateCuts = 20;
   bool DiscardOutsideHull = true;
 
