@@ -2,6 +2,11 @@
 # this project, so that path would leave the build tree: both roots are moved for this call alone.
 function(cellprojection_build_modules root)
   set(module_files "${root}/vtk.module")
+  set(requested CellProjection::CellProjection)
+  if(CELLPROJECTION_TETGEN AND TetGen_FOUND)
+    list(APPEND module_files "${root}/Module/TetGen/vtk.module")
+    list(APPEND requested CellProjection::TetGen)
+  endif()
   if(BUILD_TESTING)
     list(APPEND module_files "${root}/Testing/Oracle/vtk.module")
     set(ExternalData_OBJECT_STORES "${CMAKE_BINARY_DIR}/ExternalData" CACHE PATH "Object stores of the test data")
@@ -11,7 +16,7 @@ function(cellprojection_build_modules root)
   endif()
   vtk_module_scan(
     MODULE_FILES ${module_files}
-    REQUEST_MODULES CellProjection::CellProjection
+    REQUEST_MODULES ${requested}
     PROVIDES_MODULES modules
     WANT_BY_DEFAULT ON
     ENABLE_TESTS "${BUILD_TESTING}")

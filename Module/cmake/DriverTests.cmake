@@ -15,6 +15,17 @@ cellprojection_add_driver_test(DataIsPinned
 cellprojection_add_driver_test(SourceStyle
   sh "${CMAKE_CURRENT_SOURCE_DIR}/checks.sh")
 
+if(BUILD_SHARED_LIBS AND CMAKE_READELF AND CMAKE_NM)
+  set(with_tetgen)
+  if(TARGET CellProjection::TetGen)
+    set(with_tetgen "-DWITH_TETGEN=$<TARGET_FILE:CellProjection::TetGen>")
+  endif()
+  cellprojection_add_driver_test(CoreWithoutTetGen
+    "${CMAKE_COMMAND}" "-DCORE=$<TARGET_FILE:CellProjection::CellProjection>" ${with_tetgen}
+    "-DREADELF=${CMAKE_READELF}" "-DNM=${CMAKE_NM}"
+    -P "${CMAKE_CURRENT_SOURCE_DIR}/cmake/CheckCoreWithoutTetGen.cmake")
+endif()
+
 set(python_arguments)
 if(CELLPROJECTION_WRAP_PYTHON)
   set(python_arguments

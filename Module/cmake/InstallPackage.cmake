@@ -17,3 +17,9 @@ install(
 install(FILES "${cellprojection_root}/LICENSE"
   DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/CellProjection"
   COMPONENT license)
+if(TARGET CellProjection::TetGen)
+  # Its notice on the AGPL.
+  install(FILES "${cellprojection_root}/Module/TetGen/README.md"
+    DESTINATION "${CMAKE_INSTALL_DATAROOTDIR}/licenses/CellProjectionTetGen"
+    COMPONENT license)
+endif()
