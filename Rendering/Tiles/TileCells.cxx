@@ -1,0 +1,193 @@
+// Compiled once for each instruction set that the machine may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "TileCells.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "TileCells.h"
+#include "TileExactCell.h"
+#include "TileMesh.h"
+#include "TileRecords-inl.h"
+#include "TileVertices.h"
+#include "TileView.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using Float = hn::CappedTag<float, TileRecords::Count>;
+using Int = hn::RebindToSigned<Float>;
+
+// Twice the area of the projected face of corners a, b and c, with its sign.
+template <class Vector>
+Vector AreaOf(const Vector (&a)[4], const Vector (&b)[4], const Vector (&c)[4])
+{
+  return hn::MulSub(
+    hn::Sub(b[0], a[0]), hn::Sub(c[1], a[1]), hn::Mul(hn::Sub(b[1], a[1]), hn::Sub(c[0], a[0])));
+}
+
+// The first and the last tile that an axis' range of pixels touches; first > last where none.
+template <class Vector>
+void TilesOf(Vector low, Vector high, int size, hn::Vec<Int>& first, hn::Vec<Int>& last)
+{
+  const Float d;
+  // Rounding must not keep a pixel from a cell that is drawn in double.
+  const auto margin = hn::Set(d, 1.0f / 64.0f);
+  const auto begin = hn::Max(hn::Ceil(hn::Sub(low, margin)), hn::Zero(d));
+  const auto end =
+    hn::Min(hn::Floor(hn::Add(high, margin)), hn::Set(d, static_cast<float>(size - 1)));
+  const auto covered = hn::RebindMask(Int(), hn::Le(begin, end));
+  first = hn::IfThenElse(
+    covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), begin)), hn::Set(Int(), 255));
+  last = hn::IfThenElseZero(covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), end)));
+}
+
+struct ProjectedGroup
+{
+  HWY_ALIGN int Box[TileRecords::Count];
+  HWY_ALIGN int Exits[TileRecords::Count]; // of a cell of positive orientation
+  HWY_ALIGN int Entries[TileRecords::Count];
+  HWY_ALIGN int Outside[TileRecords::Count]; // whether a corner has no place on the screen
+};
+
+void ProjectLanes(const TileRecords& records, int lane, const TileView& view, ProjectedGroup& out)
+{
+  const Float d;
+  const Int di;
+  hn::Vec<Float> v[4][4];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    records.Load(d, corner, lane, v[corner]);
+  }
+  hn::Vec<Float> low[2], high[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    low[k] = hn::Min(hn::Min(v[0][k], v[1][k]), hn::Min(v[2][k], v[3][k]));
+    high[k] = hn::Max(hn::Max(v[0][k], v[1][k]), hn::Max(v[2][k], v[3][k]));
+  }
+  hn::Vec<Int> x[2], y[2];
+  TilesOf(low[0], high[0], view.Width, x[0], x[1]);
+  TilesOf(low[1], high[1], view.Height, y[0], y[1]);
+  hn::Store(hn::Or(hn::Or(x[0], hn::ShiftLeft<8>(x[1])),
+              hn::Or(hn::ShiftLeft<16>(y[0]), hn::ShiftLeft<24>(y[1]))),
+    di, out.Box + lane);
+  const hn::Vec<Float> areas[4] = { AreaOf(v[1], v[2], v[3]), AreaOf(v[0], v[2], v[3]),
+    AreaOf(v[0], v[1], v[3]), AreaOf(v[0], v[1], v[2]) };
+  auto exits = hn::Zero(di), entries = hn::Zero(di);
+  for (int f = 0; f < 4; ++f)
+  {
+    const auto bit = hn::Set(di, 1 << f);
+    const auto above = hn::RebindMask(di, hn::Gt(areas[f], hn::Zero(d)));
+    const auto below = hn::RebindMask(di, hn::Lt(areas[f], hn::Zero(d)));
+    // The normals of faces 0 and 2 point out of a cell of positive orientation.
+    exits = hn::Or(exits, hn::IfThenElseZero(f % 2 == 1 ? above : below, bit));
+    entries = hn::Or(entries, hn::IfThenElseZero(f % 2 == 1 ? below : above, bit));
+  }
+  hn::Store(exits, di, out.Exits + lane);
+  hn::Store(entries, di, out.Entries + lane);
+  const auto outside = hn::Ge(high[0], hn::Set(d, TileVertices::OffScreen));
+  hn::Store(
+    hn::IfThenElseZero(hn::RebindMask(di, outside), hn::Set(di, 1)), di, out.Outside + lane);
+}
+
+void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
+  int first, int count, TileCells& cells)
+{
+  TileRecords records;
+  int ids[TileRecords::Count];
+  for (int k = 0; k < TileRecords::Count; ++k)
+  {
+    ids[k] = first + std::min(k, count - 1);
+  }
+  records.Gather(mesh.Corners.data(), vertices.Values.data(), ids);
+  ProjectedGroup group;
+  for (int lane = 0; lane < TileRecords::Count; lane += static_cast<int>(hn::Lanes(Float())))
+  {
+    ProjectLanes(records, lane, view, group);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const int cell = first + k;
+    const bool positive = (mesh.Orientations[cell] > 0) == view.KeepsOrientation;
+    const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(cell)];
+    const int exits = positive ? group.Exits[k] : group.Entries[k];
+    const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
+                       (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
+    cells.Faces[cell] =
+      static_cast<std::uint8_t>((exits & linked) | (group.Outside[k] ? TileCells::Exact : 0));
+    cells.Boxes[cell] = static_cast<std::uint32_t>(group.Box[k]);
+  }
+}
+
+// NOLINTNEXTLINE: Highway's dispatch table names it.
+void ProjectRange(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
+  int begin, int end, TileCells& cells)
+{
+  for (int first = begin; first < end; first += TileRecords::Count)
+  {
+    ProjectGroup(mesh, view, vertices, first, std::min(end - first, TileRecords::Count), cells);
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace CellProjectionTiles
+{
+HWY_EXPORT(ProjectRange);
+}
+
+//------------------------------------------------------------------------------
+void TileCells::Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices)
+{
+  const int cells = mesh.GetNumberOfCells();
+  this->Boxes.resize(static_cast<std::size_t>(cells));
+  this->Faces.resize(static_cast<std::size_t>(cells));
+  constexpr int Share = 4096;
+  vtkSMPTools::For(0, (cells + Share - 1) / Share, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const int first = static_cast<int>(begin) * Share;
+      const int last = std::min(static_cast<int>(end) * Share, cells);
+      HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ProjectRange)
+      (mesh, view, vertices, first, last, *this);
+      for (int cell = first; cell < last; ++cell)
+      {
+        if (this->Faces[cell] & Exact)
+        {
+          this->ProjectExactly(mesh, view, cell);
+        }
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void TileCells::ProjectExactly(const TileMesh& mesh, const TileView& view, int cell)
+{
+  const TileExactCell exact(mesh, view, cell);
+  const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(cell)];
+  this->Faces[cell] = Exact;
+  for (int f = 0; f < 4; ++f)
+  {
+    const bool leaves =
+      neighbours[f] >= 0 && !exact.Planes[f].IsEntry && exact.Planes[f].Tolerance == 0.0;
+    this->Faces[cell] |= static_cast<std::uint8_t>(leaves ? 1 << f : 0);
+  }
+  const std::array<int, 4>& box = exact.Box;
+  if (box[2] < box[0] || box[3] < box[1])
+  {
+    this->Boxes[cell] = NoTile;
+    return;
+  }
+  auto tile = [](int pixel) { return static_cast<std::uint32_t>(pixel) >> TileSize::Shift; };
+  this->Boxes[cell] = tile(box[0]) | tile(box[2]) << 8 | tile(box[1]) << 16 | tile(box[3]) << 24;
+}
+#endif

@@ -1,0 +1,45 @@
+/**
+ * Where a mesh's cells lie on the screen, and which of their faces look away from the eye.
+ *
+ * The sign of a face is found from its points in ascending order, so that both of its cells agree.
+ */
+#ifndef TileCells_h
+#define TileCells_h
+
+#include <cstdint>
+#include <vector>
+
+class TileMesh;
+class TileVertices;
+class TileView;
+
+/** Tiles are squares of pixels. */
+namespace TileSize
+{
+constexpr int Shift = 6;
+constexpr int Pixels = 1 << Shift;
+/** Their numbers must fit a byte. */
+constexpr int LargestImage = 256 << Shift;
+}
+
+class TileCells
+{
+public:
+  void Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices);
+
+  /** Of Boxes: first and last tile in x, first and last in y, a byte each from the lowest; first is
+   *  greater than last where no pixel is covered. */
+  static constexpr std::uint32_t NoTile = 0x00ff00ffu;
+  /** Of Faces: bit f for face f, through which rays leave towards a neighbour. */
+  static constexpr std::uint8_t ExitFaces = 15;
+  /** Of Faces: the cell needs class TileExactCell. */
+  static constexpr std::uint8_t Exact = 128;
+
+  std::vector<std::uint32_t> Boxes;
+  std::vector<std::uint8_t> Faces;
+
+private:
+  void ProjectExactly(const TileMesh& mesh, const TileView& view, int cell);
+};
+
+#endif

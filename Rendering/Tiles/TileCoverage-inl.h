@@ -1,0 +1,282 @@
+/**
+ * Which pixels of a tile a cell covers, and where their rays enter and leave it.
+ *
+ * A ray is inside between its last entry (the least u of the entry planes) and its first exit.
+ * Blocks of one vector of pixels; covered ones are compressed into the queue.
+ */
+#if defined(TileCoverage_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileCoverage_inl_h
+#undef TileCoverage_inl_h
+#else
+#define TileCoverage_inl_h
+#endif
+
+#include "TileCells.h"
+#include "TileExactCell.h"
+#include "TileFragments.h"
+#include "TileGroup.h"
+#include "TileMesh.h"
+#include "TileTask.h"
+#include "TileView.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using CoverFloat = hn::CappedTag<float, 16>;
+using CoverInt = hn::RebindToSigned<CoverFloat>;
+using CoverVector = hn::Vec<CoverFloat>;
+
+/// The shapes that a vector of pixels can take: rows of all lanes, of half of them, and so on.
+class BlockShapes
+{
+public:
+  BlockShapes()
+  {
+    const int lanes = static_cast<int>(hn::Lanes(CoverFloat()));
+    for (int width = lanes; width >= 1; width /= 2)
+    {
+      Shape& shape = this->Shapes[this->Count++];
+      shape.Width = width;
+      shape.Height = lanes / width;
+      for (int k = 0; k < lanes; ++k)
+      {
+        shape.X[k] = static_cast<float>(k % width);
+        shape.Y[k] = static_cast<float>(k / width);
+        shape.Pixel[k] = k / width * TileSize::Pixels + k % width;
+      }
+    }
+  }
+
+  struct Shape
+  {
+    HWY_ALIGN float X[16];
+    HWY_ALIGN float Y[16];
+    HWY_ALIGN int Pixel[16];
+    int Width, Height;
+  };
+
+  /// The one that covers a box with the fewest blocks.
+  const Shape& Choose(int width, int height) const
+  {
+    int best = 0, fewest = 1 << 30;
+    for (int i = 0; i < this->Count; ++i)
+    {
+      const Shape& shape = this->Shapes[i];
+      // Sizes are powers of two: the shift is their place in the list.
+      const int down = this->Count - 1 - i;
+      const int blocks = ((width + shape.Width - 1) >> down) * ((height + shape.Height - 1) >> i);
+      best = blocks < fewest ? i : best;
+      fewest = std::min(blocks, fewest);
+    }
+    return this->Shapes[best];
+  }
+
+private:
+  Shape Shapes[5];
+  int Count = 0;
+};
+
+/// Faces with the entries first, for each of the 16 sets of entry faces.
+struct FaceLists
+{
+  FaceLists()
+  {
+    for (int set = 0; set < 16; ++set)
+    {
+      int count = 0;
+      for (const int wanted : { 1, 0 })
+      {
+        for (int f = 0; f < 4; ++f)
+        {
+          if ((set >> f & 1) == wanted)
+          {
+            this->Faces[set][count++] = f;
+          }
+        }
+        this->Entries[set] = wanted == 1 ? count : this->Entries[set];
+      }
+    }
+  }
+  int Faces[16][4];
+  int Entries[16] = {};
+};
+
+/// Appends the lanes of `covered`.
+inline void AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
+  CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, TileFragments& out)
+{
+  const CoverFloat d;
+  const CoverInt di;
+  const int at = out.Count;
+  hn::StoreU(hn::Compress(entry, covered), d, out.Entry + at);
+  hn::StoreU(hn::Compress(hn::Sub(entry, exit), covered), d, out.Extent + at);
+  hn::StoreU(hn::Compress(scalarIn, covered), d, out.ScalarIn + at);
+  hn::StoreU(hn::Compress(scalarOut, covered), d, out.ScalarOut + at);
+  hn::StoreU(hn::Compress(pixel, hn::RebindMask(di, covered)), di, out.Pixel + at);
+  out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
+}
+
+/// One cell of a group: `faces` has the `Entries` entry faces first.
+template <int Entries>
+void CoverCell(
+  const TileGroup& g, int k, const int* faces, const BlockShapes::Shape& shape, TileFragments& out)
+{
+  const CoverFloat d;
+  const CoverInt di;
+  const auto x = hn::Load(d, shape.X), y = hn::Load(d, shape.Y);
+  const auto pixels = hn::Load(di, shape.Pixel);
+  CoverVector row[5], stepX[5], stepY[5];
+  for (int f = 0; f < 5; ++f)
+  {
+    const float a = f < 4 ? g.A[faces[f]][k] : g.ScalarA[k];
+    const float b = f < 4 ? g.B[faces[f]][k] : g.ScalarB[k];
+    const float p = f < 4 ? g.P[faces[f]][k] : g.ScalarP[k];
+    row[f] = hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
+    stepX[f] = hn::Set(d, a * static_cast<float>(shape.Width));
+    stepY[f] = hn::Set(d, b * static_cast<float>(shape.Height));
+  }
+  const auto perU = hn::Set(d, g.ScalarU[k]);
+  const int width = g.Width[k], height = g.Height[k];
+  for (int top = 0; top < height; top += shape.Height)
+  {
+    CoverVector at[5] = { row[0], row[1], row[2], row[3], row[4] };
+    const auto inRows = hn::Lt(y, hn::Set(d, static_cast<float>(height - top)));
+    for (int left = 0; left < width; left += shape.Width)
+    {
+      auto entry = at[0], exit = at[Entries];
+      for (int f = 1; f < Entries; ++f)
+      {
+        entry = hn::Min(entry, at[f]);
+      }
+      for (int f = Entries + 1; f < 4; ++f)
+      {
+        exit = hn::Max(exit, at[f]);
+      }
+      const auto inBox = hn::And(inRows, hn::Lt(x, hn::Set(d, static_cast<float>(width - left))));
+      const auto covered = hn::And(inBox, hn::Lt(exit, entry));
+      if (!hn::AllFalse(d, covered))
+      {
+        const int corner = (g.Bottom[k] + top) * TileSize::Pixels + g.Left[k] + left;
+        AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, at[4]),
+          hn::MulAdd(perU, exit, at[4]), hn::Add(pixels, hn::Set(di, corner)), out);
+      }
+      for (int f = 0; f < 5; ++f)
+      {
+        at[f] = hn::Add(at[f], stepX[f]);
+      }
+    }
+    for (int f = 0; f < 5; ++f)
+    {
+      row[f] = hn::Add(row[f], stepY[f]);
+    }
+  }
+}
+
+/// Entry and exit of a row's pixels in double, from `x` on.
+inline void CoverExactLanes(const TileExactCell& cell, const TileView& view, double x, double y,
+  double* entries, double* exits)
+{
+  const hn::CappedTag<double, 8> d;
+  const auto xs = hn::Add(hn::Set(d, x), hn::Iota(d, 0.0));
+  auto entry = hn::Set(d, view.NearU), exit = hn::Set(d, view.FarU);
+  for (const TileExactCell::Plane& plane : cell.Planes)
+  {
+    auto value = hn::MulAdd(hn::Set(d, plane.A), xs, hn::Set(d, plane.B * y + plane.E));
+    const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
+    // A plane that is not seen edge-on has no tolerance, and passes at u = 0 where its value is 0.
+    const auto nudged = hn::Set(d, plane.Tolerance > 0.0 ? plane.Nudge : 0.0);
+    value = hn::Mul(hn::IfThenElse(within, nudged, value), hn::Set(d, plane.Inverse));
+    entry = plane.IsEntry ? hn::Min(entry, value) : entry;
+    exit = plane.IsEntry ? exit : hn::Max(exit, value);
+  }
+  hn::StoreU(entry, d, entries);
+  hn::StoreU(exit, d, exits);
+}
+
+inline void AppendExact(const TileExactCell& cell, double x, double y, double entry, double exit,
+  int pixel, TileFragments& out)
+{
+  const double scalar = cell.ScalarA * x + cell.ScalarB * y + cell.ScalarE;
+  const int at = out.Count++;
+  out.Entry[at] = static_cast<float>(entry);
+  out.Extent[at] = static_cast<float>(entry - exit);
+  out.ScalarIn[at] = static_cast<float>(scalar + cell.ScalarC * entry);
+  out.ScalarOut[at] = static_cast<float>(scalar + cell.ScalarC * exit);
+  out.Pixel[at] = pixel;
+}
+
+/// A cell in double: see class TileExactCell.
+inline void CoverExactCell(
+  const TileTask& task, const TileRectangle& tile, int id, TileFragments& out)
+{
+  const TileExactCell cell(*task.Mesh, *task.View, id);
+  const int lanes = static_cast<int>(hn::Lanes(hn::CappedTag<double, 8>()));
+  const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
+  const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
+  double entries[8], exits[8];
+  for (int y = firstY; y <= lastY; ++y)
+  {
+    for (int x = firstX; x <= lastX; x += lanes)
+    {
+      CoverExactLanes(cell, *task.View, x, y, entries, exits);
+      for (int k = 0; k < std::min(lanes, lastX - x + 1); ++k)
+      {
+        if (exits[k] < entries[k])
+        {
+          const int pixel = (y - tile.Bottom) * TileSize::Pixels + x + k - tile.Left;
+          AppendExact(cell, x + k, y, entries[k], exits[k], pixel, out);
+        }
+      }
+    }
+  }
+}
+
+/// Cells of a group from k on until the queue is full or the group ends; returns the next cell.
+inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
+  const int* ids, int k, int count, const BlockShapes& shapes, TileFragments& out)
+{
+  static const FaceLists lists;
+  for (; k < count && out.Count < TileFragments::Full; ++k)
+  {
+    if (group.Exact[k] != 0 || task.AllExact || (task.Cells->Faces[ids[k]] & TileCells::Exact))
+    {
+      CoverExactCell(task, tile, ids[k], out);
+      continue;
+    }
+    if (group.Width[k] <= 0 || group.Height[k] <= 0)
+    {
+      continue;
+    }
+    const int set = group.Entries[k];
+    const BlockShapes::Shape& shape = shapes.Choose(group.Width[k], group.Height[k]);
+    switch (lists.Entries[set])
+    {
+      case 1:
+        CoverCell<1>(group, k, lists.Faces[set], shape, out);
+        break;
+      case 2:
+        CoverCell<2>(group, k, lists.Faces[set], shape, out);
+        break;
+      case 3:
+        CoverCell<3>(group, k, lists.Faces[set], shape, out);
+        break;
+      default:
+        // Flattened by rounding: it has no inside.
+        break;
+    }
+  }
+  return k;
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,46 @@
+/**
+ * One tetrahedron on the screen, set up in double from its points in the mesh.
+ *
+ * For the cells that floats on the screen do not serve: those that reach the near or the far plane
+ * or behind the eye, with a face seen almost edge-on, or so thin that their scalar changes faster
+ * than a float's step. Any eye will do, inside the cell too.
+ *
+ * A face's plane comes from its points in ascending order: both of its cells find the same numbers
+ * and agree on every pixel. A ray inside the plane of a face counts as moved a little, all rays to
+ * the same side.
+ */
+#ifndef TileExactCell_h
+#define TileExactCell_h
+
+#include <array>
+
+class TileMesh;
+class TileView;
+
+class TileExactCell
+{
+public:
+  TileExactCell(const TileMesh& mesh, const TileView& view, int cell);
+
+  /** Of face f: A x + B y + E + C u is 0 on it, Inverse is -1 / C; a value below Tolerance counts
+   * as Nudge. */
+  struct Plane
+  {
+    double A, B, C, E;
+    double Inverse, Tolerance, Nudge;
+    /** Whether rays enter the cell there: inside u lies below the plane. */
+    bool IsEntry;
+  };
+  std::array<Plane, 4> Planes;
+  /** scalar * weight = A x + B y + C u + E. */
+  double ScalarA = 0.0, ScalarB = 0.0, ScalarC = 0.0, ScalarE = 0.0;
+  /** First and last pixel column, first and last row; empty where last < first. */
+  std::array<int, 4> Box{ { 0, 0, -1, -1 } };
+
+private:
+  void SetPlanes(const TileMesh& mesh, const TileView& view, int cell);
+  void SetScalar(const TileMesh& mesh, const TileView& view, int cell);
+  void SetBox(const TileMesh& mesh, const TileView& view, int cell);
+};
+
+#endif

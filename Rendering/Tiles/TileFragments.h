@@ -1,0 +1,42 @@
+/**
+ * Pieces of rays in cells, waiting to be shaded: coverage appends what it finds, shading takes
+ * full vectors of any cells.
+ */
+#ifndef TileFragments_h
+#define TileFragments_h
+
+#include "TileCells.h"
+
+struct TileFragments
+{
+  /** Emptied between cells when there are this many; one cell covers a tile at most. */
+  static constexpr int Full = 256;
+  static constexpr int Capacity = Full + TileSize::Pixels * TileSize::Pixels + 64;
+
+  int Count = 0;
+  /** u where the ray enters, u lost until it leaves; scalar times weight at both. */
+  alignas(64) float Entry[Capacity];
+  alignas(64) float Extent[Capacity];
+  alignas(64) float ScalarIn[Capacity];
+  alignas(64) float ScalarOut[Capacity];
+  /** In the tile, row by row. */
+  alignas(64) int Pixel[Capacity];
+  /** Shaded: premultiplied red, green, blue, and minus alpha. */
+  alignas(64) float Color[Capacity][4];
+};
+
+/** What is left to shade of fragments that a node of the transfer function, or an optical depth of
+ * 1, cuts. */
+struct TileRemainders
+{
+  int Count = 0;
+  alignas(64) float First[TileFragments::Capacity];
+  alignas(64) float Last[TileFragments::Capacity];
+  alignas(64) float Length[TileFragments::Capacity];
+  /** The light that comes through what is shaded already. */
+  alignas(64) float Through[TileFragments::Capacity];
+  alignas(64) int Piece[TileFragments::Capacity];
+  alignas(64) int Fragment[TileFragments::Capacity];
+};
+
+#endif

@@ -1,0 +1,61 @@
+/**
+ * Functions of vectors in fast forms, each with its error.
+ */
+#if defined(TileMath_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileMath_inl_h
+#undef TileMath_inl_h
+#else
+#define TileMath_inl_h
+#endif
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// 1 / v; relative error below 5e-7 for normal numbers.
+template <class D, class Vector>
+HWY_INLINE Vector Reciprocal(D d, Vector v)
+{
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+  const auto rough = hn::ApproximateReciprocal(v);
+  return hn::Mul(rough, hn::NegMulAdd(v, rough, hn::Set(d, 2.0f)));
+#else
+  return hn::Div(hn::Set(d, 1.0f), v);
+#endif
+}
+
+/// 1 - exp(-depth) for a depth in [0, 1]; relative error below 3e-7.
+template <class D, class Vector>
+HWY_INLINE Vector Absorption(D d, Vector depth)
+{
+  auto sum = hn::MulAdd(depth, hn::Set(d, -0.00090715819f), hn::Set(d, 0.00782370940f));
+  sum = hn::MulAdd(sum, depth, hn::Set(d, -0.0414066017f));
+  sum = hn::MulAdd(sum, depth, hn::Set(d, 0.166605219f));
+  sum = hn::MulAdd(sum, depth, hn::Set(d, -0.499994576f));
+  return hn::Mul(depth, hn::MulAdd(sum, depth, hn::Set(d, 0.99999994f)));
+}
+
+/// Where along a piece its light is absorbed in the mean, from 0 to 1: of an optical depth in [0,
+/// 1] whose extinction changes linearly by `lean` = (back - front) / (back + front); error below
+/// 1e-5.
+template <class D, class Vector>
+HWY_INLINE Vector AbsorptionMean(D d, Vector depth, Vector lean)
+{
+  const auto square = hn::Mul(lean, lean);
+  const auto first = hn::MulAdd(square, hn::Set(d, 0.0166699961f), hn::Set(d, -0.0833260566f));
+  const auto second =
+    hn::Mul(lean, hn::MulAdd(square, hn::Set(d, 0.00115666119f), hn::Set(d, -0.00271274615f)));
+  const auto third = hn::MulAdd(square, hn::Set(d, -0.000323603483f), hn::Set(d, 0.00134092639f));
+  const auto bend = hn::MulAdd(hn::MulAdd(third, depth, second), depth, first);
+  return hn::MulAdd(bend, depth, hn::MulAdd(lean, hn::Set(d, 1.0f / 6.0f), hn::Set(d, 0.5f)));
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

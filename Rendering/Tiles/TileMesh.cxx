@@ -1,0 +1,124 @@
+#include "TileMesh.h"
+
+#include "MortonOrder.h"
+#include "TileNeighbours.h"
+#include "vtkBoundingBox.h"
+#include "vtkSMPTools.h"
+
+#include <glm/geometric.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <glm/vec3.hpp>
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void TileMesh::Build(const std::vector<float>& points, const std::vector<int>& corners)
+{
+  this->OrderCells(points, corners);
+  this->CopyCells(points, corners);
+  this->FindOrientations();
+  this->Neighbours = TileNeighbours::Find(this->Corners, this->GetNumberOfPoints());
+  this->CellScalars.clear();
+  this->SetDrawn(std::vector<unsigned char>(this->Source.size(), 1));
+}
+
+//------------------------------------------------------------------------------
+void TileMesh::OrderCells(const std::vector<float>& points, const std::vector<int>& corners)
+{
+  const std::size_t cells = corners.size() / 4;
+  std::vector<double> middles(3 * cells, 0.0);
+  vtkBoundingBox box;
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    double* middle = &middles[3 * cell];
+    for (int i = 0; i < 4; ++i)
+    {
+      const float* point = &points[4 * static_cast<std::size_t>(corners[4 * cell + i])];
+      std::transform(
+        point, point + 3, middle, middle, [](float x, double sum) { return sum + 0.25 * x; });
+    }
+    box.AddPoint(middle);
+  }
+  this->Source = cells > 0 ? MortonOrder::Find(middles, box) : std::vector<int>();
+}
+
+//------------------------------------------------------------------------------
+void TileMesh::CopyCells(const std::vector<float>& points, const std::vector<int>& corners)
+{
+  std::vector<int> renamed(points.size() / 4, -1);
+  this->Points.clear();
+  this->PointSource.clear();
+  this->Corners.resize(4 * this->Source.size());
+  for (std::size_t cell = 0; cell < this->Source.size(); ++cell)
+  {
+    int* own = &this->Corners[4 * cell];
+    for (int i = 0; i < 4; ++i)
+    {
+      const int old = corners[4 * static_cast<std::size_t>(this->Source[cell]) + i];
+      if (renamed[old] < 0)
+      {
+        renamed[old] = static_cast<int>(this->PointSource.size());
+        this->PointSource.push_back(old);
+        const auto point = points.begin() + 4 * static_cast<std::ptrdiff_t>(old);
+        this->Points.insert(this->Points.end(), point, point + 4);
+      }
+      own[i] = renamed[old];
+    }
+    std::sort(own, own + 4);
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileMesh::FindOrientations()
+{
+  this->Orientations.resize(this->Source.size());
+  vtkSMPTools::For(0, this->GetNumberOfCells(),
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType cell = begin; cell < end; ++cell)
+      {
+        glm::dvec3 p[4];
+        for (int i = 0; i < 4; ++i)
+        {
+          p[i] = glm::dvec3(glm::make_vec3(&this->Points[4 * this->Corners[4 * cell + i]]));
+        }
+        const double volume = glm::dot(p[3] - p[0], glm::cross(p[1] - p[0], p[2] - p[0]));
+        this->Orientations[cell] = static_cast<signed char>((volume > 0.0) - (volume < 0.0));
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void TileMesh::SetScalars(const std::vector<float>& values, bool onePerCell)
+{
+  this->CellScalars.clear();
+  if (onePerCell)
+  {
+    this->CellScalars.resize(this->Source.size());
+    std::transform(this->Source.begin(), this->Source.end(), this->CellScalars.begin(),
+      [&](int source) { return values[source]; });
+    return;
+  }
+  for (std::size_t point = 0; point < this->PointSource.size(); ++point)
+  {
+    this->Points[4 * point + 3] = values[this->PointSource[point]];
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileMesh::SetDrawn(const std::vector<unsigned char>& drawn)
+{
+  this->Drawn.resize(this->Source.size());
+  for (std::size_t cell = 0; cell < this->Source.size(); ++cell)
+  {
+    this->Drawn[cell] = drawn[this->Source[cell]] != 0 && this->Orientations[cell] != 0 ? 1 : 0;
+  }
+}
+
+//------------------------------------------------------------------------------
+std::size_t TileMesh::GetMemorySize() const
+{
+  return 4 * (this->Points.size() + this->Corners.size() + this->Neighbours.size() +
+               this->Source.size() + this->PointSource.size() + this->CellScalars.size()) +
+         this->Orientations.size() + this->Drawn.size();
+}

@@ -1,0 +1,52 @@
+/**
+ * Tetrahedra as the tiles read them: built once per mesh, plain arrays.
+ *
+ * Cells lie along a Morton curve and points in the order of their first use, so that what a tile
+ * reads lies close together. Corners ascend, so that two cells find the same numbers for the plane
+ * of a face that they share. Face f is opposite corner f.
+ */
+#ifndef TileMesh_h
+#define TileMesh_h
+
+#include <cstddef>
+#include <vector>
+
+class TileMesh
+{
+public:
+  /** `points`: x, y, z and an unused fourth each; `corners`: 4 point ids per cell. */
+  void Build(const std::vector<float>& points, const std::vector<int>& corners);
+
+  /** One per point or per cell of what Build was given. */
+  void SetScalars(const std::vector<float>& values, bool onePerCell);
+
+  /** One per cell of what Build was given: cells with 0 only take part in the order. */
+  void SetDrawn(const std::vector<unsigned char>& drawn);
+
+  int GetNumberOfCells() const { return static_cast<int>(this->Source.size()); }
+  int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 4); }
+  std::size_t GetMemorySize() const;
+
+  /** x, y, z, scalar. */
+  std::vector<float> Points;
+  std::vector<int> Corners;
+  /** Across each face; -1 where there is none. */
+  std::vector<int> Neighbours;
+  /** 1 where corner 3 lies before the face of corners 0, 1, 2 in the right-hand sense, -1 behind
+   *  it, 0 for a flat cell. */
+  std::vector<signed char> Orientations;
+  std::vector<unsigned char> Drawn;
+  /** The cell's id in what Build was given. */
+  std::vector<int> Source;
+  /** Empty where scalars are the points'. */
+  std::vector<float> CellScalars;
+
+private:
+  void OrderCells(const std::vector<float>& points, const std::vector<int>& corners);
+  void CopyCells(const std::vector<float>& points, const std::vector<int>& corners);
+  void FindOrientations();
+
+  std::vector<int> PointSource;
+};
+
+#endif

@@ -1,0 +1,105 @@
+#include "TileRepair.h"
+
+#include "TileBuffer.h"
+#include "TileFragments.h"
+#include "TileTask.h"
+#include "TileView.h"
+
+#include <algorithm>
+#include <tuple>
+
+//------------------------------------------------------------------------------
+int TileRepair::Find(const TileBuffer& tile, float tolerance)
+{
+  this->Marked.resize(TileBuffer::Size);
+  this->Fragments.clear();
+  this->Taken = 0;
+  int count = 0;
+  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  {
+    const bool wrong = tile.Proofs[pixel].Overlap > tolerance;
+    this->Marked[pixel] = wrong ? 1 : 0;
+    count += wrong ? 1 : 0;
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+TileRectangle TileRepair::Box(const TileRectangle& tile) const
+{
+  TileRectangle box{ tile.Left, tile.Bottom, tile.LastX, tile.LastY, tile.FirstX, tile.FirstY };
+  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  {
+    if (this->Marked[pixel])
+    {
+      const int x = tile.Left + pixel % TileSize::Pixels;
+      const int y = tile.Bottom + pixel / TileSize::Pixels;
+      box.FirstX = std::min(box.FirstX, x);
+      box.LastX = std::max(box.LastX, x);
+      box.FirstY = std::min(box.FirstY, y);
+      box.LastY = std::max(box.LastY, y);
+    }
+  }
+  return box;
+}
+
+//------------------------------------------------------------------------------
+void TileRepair::Collect(const TileFragments& q)
+{
+  for (int i = 0; i < q.Count; ++i)
+  {
+    if (this->Marked[q.Pixel[i]])
+    {
+      this->Fragments.push_back({ q.Entry[i], q.Extent[i], q.ScalarIn[i], q.ScalarOut[i],
+        q.Pixel[i], 0.0f, static_cast<unsigned int>(this->Fragments.size()) });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileRepair::Sort(const TileView& view)
+{
+  for (Fragment& fragment : this->Fragments)
+  {
+    const double in = fragment.Entry, out = in - fragment.Extent;
+    // Twice the depth of the middle: in perspective u is 1 / depth.
+    const double weightIn = view.WeightScale * in + view.WeightOffset;
+    const double weightOut = view.WeightScale * out + view.WeightOffset;
+    const double depth = view.WeightScale > 0.0 ? (weightIn + weightOut) / (weightIn * weightOut) -
+                                                    2.0 / view.WeightOffset
+                                                : -(in + out);
+    fragment.Depth = static_cast<float>(depth);
+  }
+  std::sort(this->Fragments.begin(), this->Fragments.end(),
+    [](const Fragment& a, const Fragment& b)
+    { return std::tie(a.Pixel, a.Depth, a.Place) < std::tie(b.Pixel, b.Depth, b.Place); });
+}
+
+//------------------------------------------------------------------------------
+void TileRepair::Clear(TileBuffer& tile) const
+{
+  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  {
+    if (this->Marked[pixel])
+    {
+      tile.Pixels[pixel] = { 0.0f, 0.0f, 0.0f, 1.0f };
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TileRepair::Take(TileFragments& out)
+{
+  out.Count = 0;
+  while (this->Taken < this->Fragments.size() && out.Count < TileFragments::Full)
+  {
+    const Fragment& fragment = this->Fragments[this->Taken++];
+    const int at = out.Count++;
+    out.Entry[at] = fragment.Entry;
+    out.Extent[at] = fragment.Extent;
+    out.ScalarIn[at] = fragment.ScalarIn;
+    out.ScalarOut[at] = fragment.ScalarOut;
+    out.Pixel[at] = fragment.Pixel;
+  }
+  return out.Count > 0;
+}

@@ -1,0 +1,47 @@
+/**
+ * Pixels whose pieces did not come from front to back: their fragments, gathered and put in order.
+ *
+ * Pieces that overlap come in the order of the depths of their middles.
+ */
+#ifndef TileRepair_h
+#define TileRepair_h
+
+#include <cstddef>
+#include <vector>
+
+class TileView;
+struct TileBuffer;
+struct TileFragments;
+struct TileRectangle;
+
+class TileRepair
+{
+public:
+  /** Marks the pixels that are wrong by more than `tolerance`; returns their number. */
+  int Find(const TileBuffer& tile, float tolerance);
+  /** The part of a tile that holds them. */
+  TileRectangle Box(const TileRectangle& tile) const;
+  /** Keeps what belongs to marked pixels. */
+  void Collect(const TileFragments& fragments);
+  /** Puts what was collected in order, pixel by pixel. */
+  void Sort(const TileView& view);
+  /** Clears marked pixels; their fragments are to be composited again. */
+  void Clear(TileBuffer& tile) const;
+  /** Moves the next ones into the queue; false where none are left. */
+  bool Take(TileFragments& out);
+
+private:
+  struct Fragment
+  {
+    float Entry, Extent, ScalarIn, ScalarOut;
+    int Pixel;
+    // How far its middle is, and when it came.
+    float Depth;
+    unsigned int Place;
+  };
+  std::vector<unsigned char> Marked;
+  std::vector<Fragment> Fragments;
+  std::size_t Taken = 0;
+};
+
+#endif

@@ -1,0 +1,38 @@
+#include "TileScratchPool.h"
+
+#include <utility>
+
+//------------------------------------------------------------------------------
+std::unique_ptr<TileScratch> TileScratchPool::Take()
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  if (this->Free.empty())
+  {
+    return std::make_unique<TileScratch>();
+  }
+  std::unique_ptr<TileScratch> scratch = std::move(this->Free.back());
+  this->Free.pop_back();
+  return scratch;
+}
+
+//------------------------------------------------------------------------------
+void TileScratchPool::Return(std::unique_ptr<TileScratch> scratch)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  this->Free.push_back(std::move(scratch));
+}
+
+//------------------------------------------------------------------------------
+TileCounts TileScratchPool::CollectCounts()
+{
+  TileCounts sum;
+  for (const std::unique_ptr<TileScratch>& scratch : this->Free)
+  {
+    sum.Cells += scratch->Counts.Cells;
+    sum.Fragments += scratch->Counts.Fragments;
+    sum.Pieces += scratch->Counts.Pieces;
+    sum.RepairedPixels += scratch->Counts.RepairedPixels;
+    scratch->Counts = TileCounts();
+  }
+  return sum;
+}

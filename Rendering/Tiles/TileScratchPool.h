@@ -1,0 +1,27 @@
+/**
+ * Scratch memory for as many threads as work at once, kept for the next frame.
+ */
+#ifndef TileScratchPool_h
+#define TileScratchPool_h
+
+#include "TileScratch.h"
+
+#include <memory>
+#include <mutex>
+#include <vector>
+
+class TileScratchPool
+{
+public:
+  std::unique_ptr<TileScratch> Take();
+  void Return(std::unique_ptr<TileScratch> scratch);
+
+  /** Sums up what was counted, and counts anew. */
+  TileCounts CollectCounts();
+
+private:
+  std::mutex Mutex;
+  std::vector<std::unique_ptr<TileScratch>> Free;
+};
+
+#endif

@@ -1,0 +1,219 @@
+/**
+ * Sets up sixteen tetrahedra for a tile, one per lane, in floats on the screen.
+ */
+#if defined(TileSetup_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileSetup_inl_h
+#undef TileSetup_inl_h
+#else
+#define TileSetup_inl_h
+#endif
+
+#include "TileGroup.h"
+#include "TileMesh.h"
+#include "TileRecords-inl.h"
+#include "TileTask.h"
+#include "TileVertices.h"
+#include "TileView.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using SetupFloat = hn::CappedTag<float, TileGroup::Size>;
+using SetupInt = hn::RebindToSigned<SetupFloat>;
+using SetupVector = hn::Vec<SetupFloat>;
+
+/// The corners of the lanes' cells, edges from corner 0 and normals: normal f belongs to face f.
+struct SetupCorners
+{
+  SetupVector Corner[4][4]; // x, y, u, scalar
+  SetupVector Edge[3][3];
+  SetupVector Normal[4][3];
+  SetupVector Volume;
+
+  void Build()
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        this->Edge[i][k] = hn::Sub(this->Corner[i + 1][k], this->Corner[0][k]);
+      }
+    }
+    for (int i = 0; i < 3; ++i)
+    {
+      const auto& a = this->Edge[(i + 1) % 3];
+      const auto& b = this->Edge[(i + 2) % 3];
+      for (int k = 0; k < 3; ++k)
+      {
+        const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
+        this->Normal[i + 1][k] = hn::MulSub(a[k1], b[k2], hn::Mul(a[k2], b[k1]));
+      }
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto sum = hn::Add(hn::Add(this->Normal[1][k], this->Normal[2][k]), this->Normal[3][k]);
+      this->Normal[0][k] = hn::Neg(sum);
+    }
+    this->Volume = hn::MulAdd(this->Edge[0][0], this->Normal[1][0],
+      hn::MulAdd(
+        this->Edge[0][1], this->Normal[1][1], hn::Mul(this->Edge[0][2], this->Normal[1][2])));
+  }
+};
+
+/// How far floats are to be trusted.
+struct SetupBounds
+{
+  /// Of a plane: u per pixel, beyond which a vertex' rounding shows.
+  float Steepest;
+  /// Rounding of a vertex in pixels and in u, over the scalar error that is let pass.
+  float PixelRounding, ScreenDepthRounding;
+  float WeightScale, WeightOffset;
+
+  explicit SetupBounds(const TileView& view)
+    : Steepest(static_cast<float>(view.ExtentU))
+    , PixelRounding(3e-5f / 1e-5f)
+    , ScreenDepthRounding(static_cast<float>(1e-7 / 1e-5 * view.ExtentU))
+    , WeightScale(static_cast<float>(view.WeightScale))
+    , WeightOffset(static_cast<float>(view.WeightOffset))
+  {
+  }
+};
+
+/// The box of the lanes' cells along one axis; returns its corner's coordinate.
+inline SetupVector SetUpBox(
+  const SetupCorners& c, int axis, int origin, int first, int last, int* start, int* size)
+{
+  const SetupFloat d;
+  const SetupInt di;
+  const auto low = hn::Min(
+    hn::Min(c.Corner[0][axis], c.Corner[1][axis]), hn::Min(c.Corner[2][axis], c.Corner[3][axis]));
+  const auto high = hn::Max(
+    hn::Max(c.Corner[0][axis], c.Corner[1][axis]), hn::Max(c.Corner[2][axis], c.Corner[3][axis]));
+  const auto begin = hn::Max(hn::Ceil(low), hn::Set(d, static_cast<float>(first)));
+  const auto end = hn::Min(hn::Floor(high), hn::Set(d, static_cast<float>(last)));
+  const auto firstPixel = hn::ConvertTo(di, begin);
+  const auto count = hn::Add(hn::Sub(hn::ConvertTo(di, end), firstPixel), hn::Set(di, 1));
+  hn::Store(hn::Sub(firstPixel, hn::Set(di, origin)), di, start);
+  hn::Store(hn::IfThenElseZero(hn::RebindMask(di, hn::Le(begin, end)), count), di, size);
+  return begin;
+}
+
+/// Planes of the faces; returns the lanes in which one is too steep.
+inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, SetupVector dx, SetupVector dy,
+  const SetupBounds& bounds, int lane, TileGroup& group)
+{
+  const SetupFloat d;
+  const SetupInt di;
+  auto tooSteep = hn::Lt(hn::Zero(d), hn::Zero(d));
+  auto entries = hn::Zero(di);
+  for (int f = 0; f < 4; ++f)
+  {
+    const auto& n = c.Normal[f];
+    const auto slope = hn::Add(hn::Abs(n[0]), hn::Abs(n[1]));
+    const auto steepest = hn::Mul(hn::Set(d, bounds.Steepest), hn::Abs(n[2]));
+    tooSteep = hn::Or(tooSteep, hn::Not(hn::Le(slope, steepest)));
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), n[2]);
+    const auto a = hn::Mul(n[0], inverse), b = hn::Mul(n[1], inverse);
+    auto p = hn::NegMulAdd(a, dx, hn::NegMulAdd(b, dy, c.Corner[0][2]));
+    // Face 0 is the one without corner 0.
+    p = f == 0 ? hn::NegMulAdd(c.Volume, inverse, p) : p;
+    hn::Store(p, d, group.P[f] + lane);
+    hn::Store(hn::Neg(a), d, group.A[f] + lane);
+    hn::Store(hn::Neg(b), d, group.B[f] + lane);
+    const auto enters = hn::Lt(hn::Mul(n[2], c.Volume), hn::Zero(d));
+    entries = hn::Or(entries, hn::IfThenElseZero(hn::RebindMask(di, enters), hn::Set(di, 1 << f)));
+  }
+  hn::Store(entries, di, group.Entries + lane);
+  return tooSteep;
+}
+
+/// The scalar; returns the lanes in which it changes too fast.
+inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, SetupVector dx, SetupVector dy,
+  const SetupBounds& bounds, int lane, TileGroup& group)
+{
+  const SetupFloat d;
+  const auto scale = hn::Set(d, bounds.WeightScale), offset = hn::Set(d, bounds.WeightOffset);
+  const auto first = c.Corner[0][3];
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), c.Volume);
+  SetupVector gradient[3] = { hn::Zero(d), hn::Zero(d), hn::Zero(d) };
+  for (int i = 1; i < 4; ++i)
+  {
+    const auto weight = hn::MulAdd(scale, c.Corner[i][2], offset);
+    const auto rise = hn::Mul(hn::Mul(hn::Sub(c.Corner[i][3], first), weight), inverse);
+    for (int k = 0; k < 3; ++k)
+    {
+      gradient[k] = hn::MulAdd(c.Normal[i][k], rise, gradient[k]);
+    }
+  }
+  const auto atCorner = hn::NegMulAdd(gradient[2], c.Corner[0][2], hn::Mul(first, offset));
+  hn::Store(gradient[0], d, group.ScalarA + lane);
+  hn::Store(gradient[1], d, group.ScalarB + lane);
+  hn::Store(hn::MulAdd(first, scale, gradient[2]), d, group.ScalarU + lane);
+  hn::Store(
+    hn::MulAdd(gradient[0], dx, hn::MulAdd(gradient[1], dy, atCorner)), d, group.ScalarP + lane);
+  const auto change = hn::MulAdd(hn::Add(hn::Abs(gradient[0]), hn::Abs(gradient[1])),
+    hn::Set(d, bounds.PixelRounding),
+    hn::Mul(hn::Abs(gradient[2]), hn::Set(d, bounds.ScreenDepthRounding)));
+  return hn::Not(hn::Le(change, offset));
+}
+
+inline void SetUpLanes(const TileRecords& records, int lane, const TileRectangle& tile,
+  const SetupBounds& bounds, TileGroup& group)
+{
+  const SetupFloat d;
+  const SetupInt di;
+  SetupCorners c;
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    records.Load(d, corner, lane, c.Corner[corner]);
+  }
+  c.Build();
+  const auto x =
+    SetUpBox(c, 0, tile.Left, tile.FirstX, tile.LastX, group.Left + lane, group.Width + lane);
+  const auto y =
+    SetUpBox(c, 1, tile.Bottom, tile.FirstY, tile.LastY, group.Bottom + lane, group.Height + lane);
+  const auto dx = hn::Sub(x, c.Corner[0][0]), dy = hn::Sub(y, c.Corner[0][1]);
+  const auto tooSteep = SetUpPlanes(c, dx, dy, bounds, lane, group);
+  const auto tooFast = SetUpScalar(c, dx, dy, bounds, lane, group);
+  const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
+  hn::Store(hn::IfThenElseZero(exact, hn::Set(di, 1)), di, group.Exact + lane);
+}
+
+inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const SetupBounds& bounds,
+  const int* cells, int count, TileGroup& group)
+{
+  TileRecords records;
+  int ids[TileGroup::Size];
+  for (int k = 0; k < TileGroup::Size; ++k)
+  {
+    ids[k] = cells[std::min(k, count - 1)];
+  }
+  records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
+  if (!task.Mesh->CellScalars.empty())
+  {
+    for (int k = 0; k < TileGroup::Size; ++k)
+    {
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        records.Values[corner][k][3] = task.Mesh->CellScalars[ids[k]];
+      }
+    }
+  }
+  for (int lane = 0; lane < TileGroup::Size; lane += static_cast<int>(hn::Lanes(SetupFloat())))
+  {
+    SetUpLanes(records, lane, tile, bounds, group);
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

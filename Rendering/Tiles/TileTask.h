@@ -1,0 +1,51 @@
+/**
+ * What the projection of every tile of a frame reads.
+ */
+#ifndef TileTask_h
+#define TileTask_h
+
+#include <array>
+
+class TileCells;
+class TileLimits;
+class TileMesh;
+class TileTransfer;
+class TileVertices;
+class TileView;
+
+struct TileTask
+{
+  const TileMesh* Mesh = nullptr;
+  const TileView* View = nullptr;
+  const TileVertices* Vertices = nullptr;
+  const TileCells* Cells = nullptr;
+  const TileTransfer* Transfer = nullptr;
+  /** Null where nothing cuts rays but the near and the far plane. */
+  const TileLimits* Limits = nullptr;
+  /** Pieces may overlap by this much of u without being called out of order. */
+  float Tolerance = 0.0f;
+  /** Whether the medium is so dense that every cell is set up in double. */
+  bool AllExact = false;
+  /** Premultiplied RGBA, View->Width x View->Height. */
+  float* Image = nullptr;
+};
+
+/** The pixels of a tile, or of a part of it, in the viewport. */
+struct TileRectangle
+{
+  /** The corner of the tile. */
+  int Left = 0, Bottom = 0;
+  /** First and last column and row to draw. */
+  int FirstX = 0, FirstY = 0, LastX = -1, LastY = -1;
+};
+
+/** What a tile counts. */
+struct TileCounts
+{
+  long long Cells = 0;
+  long long Fragments = 0;
+  long long Pieces = 0;
+  long long RepairedPixels = 0;
+};
+
+#endif

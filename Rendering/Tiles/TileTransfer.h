@@ -1,0 +1,34 @@
+/**
+ * The transfer function as the tiles read it: per piece between two nodes the slope and the offset
+ * of red, green, blue and extinction over the normalised scalar.
+ */
+#ifndef TileTransfer_h
+#define TileTransfer_h
+
+#include <cstddef>
+#include <vector>
+
+class TransferFunction;
+
+class TileTransfer
+{
+public:
+  /** `longest`: the greatest length of a ray in the mesh; extinction beyond opaque is cut off. */
+  void Build(const TransferFunction& function, double longest);
+
+  int NumberOfPieces = 0;
+  /** Steps of a binary search over all pieces. */
+  int SearchSteps = 0;
+  float GreatestExtinction = 0.0f;
+
+  /** Piece i covers Bounds[i] to Bounds[i + 1]; beyond the last one there is 3e38. All arrays are
+   *  padded, so that a whole vector can be read from their start. */
+  std::vector<float> Bounds;
+  std::vector<float> Slopes[4];
+  std::vector<float> Offsets[4];
+
+  /** No vector is longer. */
+  static constexpr std::size_t Padding = 64;
+};
+
+#endif

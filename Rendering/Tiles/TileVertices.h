@@ -1,0 +1,30 @@
+/**
+ * A mesh's points on the screen in floats: x, y, u and the scalar.
+ *
+ * Points before the near plane, behind the far plane, or so far off the viewport that a float loses
+ * the pixel's fractions have x = y = OffScreen; their cells are set up in double from the mesh
+ * (class TileExactCell).
+ */
+#ifndef TileVertices_h
+#define TileVertices_h
+
+#include <vector>
+
+class TileMesh;
+class TileView;
+
+class TileVertices
+{
+public:
+  void Transform(const TileMesh& mesh, const TileView& view);
+  /** New scalars, the same view. */
+  void CopyScalars(const TileMesh& mesh);
+
+  static constexpr float OffScreen = 3e38f;
+  /** Pixels; farther off a float's step is over 1e-3. */
+  static constexpr double Farthest = 8192.0;
+
+  std::vector<float> Values;
+};
+
+#endif

@@ -1,0 +1,159 @@
+#include "TilesEngine.h"
+
+#include "TileProjection.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <iterator>
+#include <memory>
+#include <utility>
+
+namespace
+{
+// Optical depth by which pieces may overlap before a pixel is done again.
+constexpr double OrderTolerance = 1e-4;
+// Share of the mesh's extent that a float on the screen does not resolve.
+constexpr double FloatResolution = 1e-6;
+// Optical depth of the whole extent from which a float's step of it shows.
+constexpr double DenseMedium = 300.0;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<int>& corners)
+{
+  this->Mesh.Build(points, corners);
+  this->IsTransformed = this->IsBinned = false;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetScalars(const std::vector<float>& values, bool onePerCell)
+{
+  this->Mesh.SetScalars(values, onePerCell);
+  if (this->IsTransformed)
+  {
+    this->Vertices.CopyScalars(this->Mesh);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TilesEngine::Render(const Scene& scene)
+{
+  if (!this->Transform(scene))
+  {
+    return false;
+  }
+  this->Bin(scene);
+  this->SetTask(scene);
+  this->Project();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool TilesEngine::Transform(const Scene& scene)
+{
+  if (this->IsTransformed && scene.Camera == this->SeenCamera)
+  {
+    return true;
+  }
+  this->IsTransformed = this->IsBinned = false;
+  const int largest = std::max(scene.Camera.Width, scene.Camera.Height);
+  if (largest > TileSize::LargestImage || !this->View.Build(scene.Camera))
+  {
+    return false;
+  }
+  this->Vertices.Transform(this->Mesh, this->View);
+  this->Cells.Project(this->Mesh, this->View, this->Vertices);
+  this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->SeenCamera = scene.Camera;
+  this->IsTransformed = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+std::vector<int> TilesEngine::FrontToBack(const std::vector<int>& backToFront) const
+{
+  std::vector<int> own(backToFront.size());
+  for (int cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
+  {
+    own[this->Mesh.Source[cell]] = cell;
+  }
+  std::vector<int> order(backToFront.size());
+  std::transform(backToFront.rbegin(), backToFront.rend(), order.begin(),
+    [&](int source) { return own[source]; });
+  return order;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::Bin(const Scene& scene)
+{
+  if (this->IsBinned && !scene.BackToFront)
+  {
+    return;
+  }
+  const std::vector<int> order =
+    scene.BackToFront ? this->FrontToBack(*scene.BackToFront) : std::vector<int>();
+  this->Bins.Fill(
+    this->Cells.Boxes, scene.BackToFront ? &order : nullptr, this->TilesX, this->TilesY);
+  this->IsSorted = scene.BackToFront != nullptr;
+  // The next frame's order may be another one, where it is not found here.
+  this->IsBinned = !this->IsSorted;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetTask(const Scene& scene)
+{
+  this->Image.resize(4 * static_cast<std::size_t>(this->View.Width) * this->View.Height);
+  this->Transfer.Build(*scene.Function, this->View.LengthOfExtent);
+  const double depth =
+    std::max<double>(this->Transfer.GreatestExtinction, 1e-30) * this->View.LengthOfExtent;
+  this->Task.Mesh = &this->Mesh;
+  this->Task.View = &this->View;
+  this->Task.Vertices = &this->Vertices;
+  this->Task.Cells = &this->Cells;
+  this->Task.Transfer = &this->Transfer;
+  this->Task.Limits = this->Limits.Build(this->View, scene.OpaqueDepth, scene.ClippingPlanes)
+                        ? &this->Limits
+                        : nullptr;
+  this->Task.Tolerance = static_cast<float>(
+    this->View.ExtentU * std::max(std::min(OrderTolerance / depth, 1e-3), FloatResolution));
+  this->Task.AllExact = depth > DenseMedium;
+  this->Task.Image = this->Image.data();
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::Project()
+{
+  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      std::unique_ptr<TileScratch> scratch = this->Scratch.Take();
+      for (vtkIdType tile = begin; tile < end; ++tile)
+      {
+        this->DrawTile(static_cast<int>(tile), *scratch);
+      }
+      this->Scratch.Return(std::move(scratch));
+    });
+  this->Counts = this->Scratch.CollectCounts();
+  this->IsSorted = true;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::DrawTile(int tile, TileScratch& scratch)
+{
+  int* cells = this->Bins.GetTile(tile);
+  const int count = this->Bins.GetSize(tile);
+  auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
+  if (!this->IsSorted)
+  {
+    scratch.Order.Sort(this->Mesh, this->Cells, cells, count);
+  }
+  scratch.Drawn.clear();
+  std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);
+  TileRectangle rectangle;
+  rectangle.Left = rectangle.FirstX = tile % this->TilesX * TileSize::Pixels;
+  rectangle.Bottom = rectangle.FirstY = tile / this->TilesX * TileSize::Pixels;
+  rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, this->View.Width) - 1;
+  rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, this->View.Height) - 1;
+  TileProjection::Draw(this->Task, rectangle, scratch);
+}

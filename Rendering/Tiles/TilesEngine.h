@@ -1,0 +1,87 @@
+/**
+ * The Tiles engine: absorption and emission of tetrahedra, on the CPU.
+ *
+ * Stages of a frame: points to the screen, cells to tiles, then tile by tile: order, set-up,
+ * coverage, shading, compositing, repair. No window, no GL; threads by vtkSMPTools, vectors by
+ * Highway. Any mesh comes out right: every pixel keeps the exit of its last piece, and where a
+ * later one begins before that the pixel is done again with its pieces sorted. A frame without such
+ * pixels is proven. The result does not depend on the number of threads.
+ */
+#ifndef TilesEngine_h
+#define TilesEngine_h
+
+#include "TileBins.h"
+#include "TileCells.h"
+#include "TileLimits.h"
+#include "TileMesh.h"
+#include "TileScratchPool.h"
+#include "TileTask.h"
+#include "TileTransfer.h"
+#include "TileVertices.h"
+#include "TileView.h"
+
+#include <glm/vec4.hpp>
+
+#include <cstddef>
+#include <vector>
+
+class TransferFunction;
+
+class TilesEngine
+{
+public:
+  struct Scene
+  {
+    TileView::Camera Camera;
+    const TransferFunction* Function = nullptr;
+    /** Window depths per pixel, or null; view coordinates. */
+    const float* OpaqueDepth = nullptr;
+    std::vector<glm::vec4> ClippingPlanes;
+    /** The cells of the mesh that was given from back to front; null: found within each tile. */
+    const std::vector<int>* BackToFront = nullptr;
+  };
+
+  void SetMesh(const std::vector<float>& points, const std::vector<int>& corners);
+  void SetScalars(const std::vector<float>& values, bool onePerCell);
+  /** 0 for cells that are not to be seen. */
+  void SetDrawn(const std::vector<unsigned char>& drawn) { this->Mesh.SetDrawn(drawn); }
+
+  /** False where the view has no inverse or is larger than LargestImage. */
+  bool Render(const Scene& scene);
+
+  /** Premultiplied RGBA, first row at the bottom. */
+  const std::vector<float>& GetImage() const { return this->Image; }
+  const TileCounts& GetCounts() const { return this->Counts; }
+  const TileMesh& GetMesh() const { return this->Mesh; }
+  /** Bytes that last from frame to frame, and what a frame needs beside them. */
+  std::size_t GetMeshMemory() const { return this->Mesh.GetMemorySize(); }
+
+private:
+  bool Transform(const Scene& scene);
+  void Bin(const Scene& scene);
+  void SetTask(const Scene& scene);
+  void Project();
+  void DrawTile(int tile, TileScratch& scratch);
+  std::vector<int> FrontToBack(const std::vector<int>& backToFront) const;
+
+  TileMesh Mesh;
+  TileView View;
+  TileVertices Vertices;
+  TileCells Cells;
+  TileBins Bins;
+  TileTransfer Transfer;
+  TileLimits Limits;
+  TileScratchPool Scratch;
+  TileTask Task;
+  TileCounts Counts;
+  std::vector<float> Image;
+  int TilesX = 0, TilesY = 0;
+
+  // What stands from the last frame on, for SeenCamera.
+  TileView::Camera SeenCamera;
+  bool IsTransformed = false;
+  bool IsBinned = false;
+  bool IsSorted = false;
+};
+
+#endif

@@ -1,0 +1,98 @@
+// The fast functions of the Tiles engine against their closed forms, for every instruction set that
+// this machine has.
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "TestTilesMath.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "TileMath-inl.h"
+
+#ifndef TestTilesMath_Errors
+#define TestTilesMath_Errors
+struct TilesMathErrors
+{
+  double Reciprocal = 0.0;
+  double Absorption = 0.0;
+  double Mean = 0.0;
+};
+/// By quadrature: the mean place of the light absorbed along a piece.
+double MeanOfAbsorption(double depth, double lean);
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+void MeasureErrors(TilesMathErrors& errors)
+{
+  const hn::CappedTag<float, 1> d;
+  auto valueOf = [](auto vector) { return static_cast<double>(hn::GetLane(vector)); };
+  for (int i = 1; i <= 1000; ++i)
+  {
+    const float share = static_cast<float>(i) / 1000.0f;
+    const float wide = std::exp(40.0f * share - 20.0f);
+    const double inverse = valueOf(Reciprocal(d, hn::Set(d, wide)));
+    errors.Reciprocal = std::max(errors.Reciprocal, std::abs(inverse * wide - 1.0));
+    const double exact = -std::expm1(-static_cast<double>(share));
+    const double alpha = valueOf(Absorption(d, hn::Set(d, share)));
+    errors.Absorption = std::max(errors.Absorption, std::abs(alpha / exact - 1.0));
+    const float lean = static_cast<float>(i % 21) / 10.0f - 1.0f;
+    const double mean = valueOf(AbsorptionMean(d, hn::Set(d, share), hn::Set(d, lean)));
+    errors.Mean = std::max(errors.Mean, std::abs(mean - MeanOfAbsorption(share, lean)));
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+#include "TestScene.h"
+
+#include <hwy/targets.h>
+
+#include <iostream>
+
+namespace CellProjectionTiles
+{
+HWY_EXPORT(MeasureErrors);
+}
+
+double MeanOfAbsorption(double depth, double lean)
+{
+  double moment = 0.0, sum = 0.0;
+  constexpr int Steps = 2000;
+  for (int i = 0; i < Steps; ++i)
+  {
+    const double x = (i + 0.5) / Steps;
+    const double before = depth * ((1.0 - lean) * x + lean * x * x);
+    const double absorbed = (1.0 - lean + 2.0 * lean * x) * std::exp(-before);
+    moment += x * absorbed;
+    sum += absorbed;
+  }
+  return moment / sum;
+}
+
+int TestTilesMath(int, char*[])
+{
+  TestChecks checks;
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+  {
+    hwy::GetChosenTarget().Update(target);
+    TilesMathErrors errors;
+    HWY_DYNAMIC_DISPATCH(CellProjectionTiles::MeasureErrors)(errors);
+    std::cout << hwy::TargetName(target) << ": reciprocal " << errors.Reciprocal << ", absorption "
+              << errors.Absorption << ", mean " << errors.Mean << "\n";
+    CHECK_AT_MOST(errors.Reciprocal, 5e-7);
+    CHECK_AT_MOST(errors.Absorption, 3e-7);
+    CHECK_AT_MOST(errors.Mean, 1e-5);
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+  return checks.Result();
+}
+#endif

@@ -1,0 +1,49 @@
+#ifndef TilesScene_h
+#define TilesScene_h
+
+#include "MeshCoordinates.h"
+#include "ScalarField.h"
+#include "TestScene.h"
+#include "TetrahedraSelection.h"
+#include "TilesEngine.h"
+#include "TransferFunction.h"
+
+#include <array>
+#include <string>
+#include <vector>
+
+/// A scene that is never rendered in a window: its camera, property and oracle serve the Tiles
+/// engine alone.
+class TilesScene : public TestScene
+{
+public:
+  explicit TilesScene(int width = 128, int height = 128);
+
+  /// Tetrahedra; takes their active point scalars, or with `cellScalars` those of the cells.
+  void SetTetrahedra(vtkUnstructuredGrid* grid, bool cellScalars = false);
+
+  /// Draws by the engine; false where it refused.
+  bool DrawTiles();
+  /// The largest difference between the engine's image and the oracle; below zero where either
+  /// failed. Prints all the figures.
+  double TilesError(const std::string& name);
+  /// The engine's image.
+  vtkSmartPointer<vtkImageData> CopyTiles() const;
+
+  TilesEngine Engine;
+  std::vector<int> BackToFront;
+  std::vector<float> OpaqueDepth;
+  bool CellScalars = false;
+
+private:
+  TilesEngine::Scene DescribeScene();
+
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  MeshCoordinates Coordinates;
+  TetrahedraSelection Selection;
+  ScalarField Field;
+  TransferFunction Function;
+  int Size[2];
+};
+
+#endif
