@@ -72,8 +72,8 @@ void CheckThreads(TestChecks& checks, TilesScene& scene)
 int TestTilesTargets(int, char*[])
 {
   TestChecks checks;
-  TilesScene scene(150, 140);
-  scene.SetTetrahedra(TestMeshes::Delaunay(100));
+  TilesScene scene(90, 80);
+  scene.SetTetrahedra(TestMeshes::Delaunay(60));
   scene.LookFrom(0.5, 0.8, 2.2);
   CheckTargets(checks, scene);
   CheckThreads(checks, scene);
