@@ -30,6 +30,8 @@ struct CellProjectionFrame
   /// View coordinates: normal and offset, the positive side stays.
   std::vector<glm::vec4> ClippingPlanes;
   vtkTextureObject* OpaqueDepth = nullptr;
+  /// What the bound float target draws to.
+  vtkTextureObject* Image = nullptr;
   FrameStatistics Statistics;
 
   RasterView GetRasterView() const

@@ -29,6 +29,9 @@ public:
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
   void End(vtkOpenGLRenderWindow* window);
 
+  /// What is drawn to.
+  vtkTextureObject* GetTexture() { return this->Color; }
+
   /// The image as one float array RGBA, first row at the bottom.
   void Capture(vtkImageData* image);
 

@@ -42,6 +42,10 @@ void MeshCoordinates::Build(vtkUnstructuredGrid* mesh)
   const double size = 0.5 * box.GetMaxLength();
   this->Scale = size > 0.0 ? std::exp2(std::ceil(std::log2(size))) : 1.0;
 
+  for (int i = 0; i < 3; ++i)
+  {
+    this->HalfLengths[i] = 0.5 * box.GetLength(i) / this->Scale;
+  }
   this->Points.assign(4 * static_cast<size_t>(mesh->GetNumberOfPoints()), 0.0f);
   vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)

@@ -20,6 +20,8 @@ public:
 
   std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
   double Scale = 1.0;
+  /// Of the box of all used points about the centre, in mesh coordinates.
+  std::array<double, 3> HalfLengths{ { 0.0, 0.0, 0.0 } };
   /// x, y, z and an unused fourth per point.
   std::vector<float> Points;
 };

@@ -16,12 +16,23 @@ class vtkUnstructuredGrid;
  */
 struct PreparedVolume
 {
+  /// New cells, and with them new points.
+  void TakeCells(vtkUnstructuredGrid* cells)
+  {
+    this->Cells = cells;
+    this->Coordinates.Build(cells);
+    this->CellsTime.Modified();
+    this->PointsTime.Modified();
+  }
+
   vtkUnstructuredGrid* Cells = nullptr;
   MeshCoordinates Coordinates;
   ScalarField Scalars;
   TransferFunction Function;
 
   vtkTimeStamp CellsTime;
+  /// Never older than CellsTime: new cells have new points.
+  vtkTimeStamp PointsTime;
   vtkTimeStamp ScalarsTime;
   vtkTimeStamp FunctionTime;
 };

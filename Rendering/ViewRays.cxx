@@ -75,11 +75,21 @@ bool ViewRays::Build(const Transforms& transforms)
   const glm::dmat4 clipToView = glm::inverse(transforms.ViewToClip);
   this->SetDepths(transforms, clipToView);
   this->SetRays(transforms, clipToView);
-  const glm::dmat4 meshToWorld = glm::scale(
+  this->MeshToWorld = glm::scale(
     glm::translate(transforms.DataToWorld, transforms.Center), glm::dvec3(transforms.Scale));
-  this->MeshToView = transforms.WorldToView * meshToWorld;
+  this->MeshToView = transforms.WorldToView * this->MeshToWorld;
   this->MeshToClip = glm::mat4(transforms.ViewToClip * this->MeshToView);
+  this->SetEye(clipToView);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void ViewRays::SetEye(const glm::dmat4& clipToView)
+{
+  const glm::dvec4 eye = clipToView * glm::dvec4(0.0, 0.0, 1.0, 0.0);
+  const bool isParallel = eye.w == 0.0;
+  this->EyeDepth = (isParallel ? 0.0 : -eye.z / eye.w) - this->Reference;
+  this->Eye = glm::inverse(this->MeshToView) * (isParallel ? eye : eye / eye.w);
 }
 
 //------------------------------------------------------------------------------

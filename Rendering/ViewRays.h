@@ -54,10 +54,16 @@ public:
   glm::vec4 DepthFromWindow{ 0.0f };
   glm::mat4 MeshToClip{ 1.0f };
   glm::dmat4 MeshToView{ 1.0 };
+  glm::dmat4 MeshToWorld{ 1.0 };
+  /// Where all rays meet, in mesh coordinates; w is 0 where they are parallel.
+  glm::dvec4 Eye{ 0.0, 0.0, 0.0, 1.0 };
+  /// Its depth from the reference plane; of parallel rays that of the view's origin.
+  double EyeDepth = 0.0;
 
 private:
   void SetDepths(const Transforms& transforms, const glm::dmat4& clipToView);
   void SetRays(const Transforms& transforms, const glm::dmat4& clipToView);
+  void SetEye(const glm::dmat4& clipToView);
 };
 
 #endif

@@ -140,9 +140,7 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
   if (this->Internal->SeenCells != convex->GetCells()->GetMTime())
   {
     this->Internal->SeenCells = convex->GetCells()->GetMTime();
-    this->Internal->Prepared.Cells = convex;
-    this->Internal->Prepared.Coordinates.Build(convex);
-    this->Internal->Prepared.CellsTime.Modified();
+    this->Internal->Prepared.TakeCells(convex);
   }
   return convex->GetNumberOfCells() > 0;
 }
@@ -256,6 +254,7 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
     this->FailOnce("The driver cannot render to 32-bit float images: nothing is drawn.");
     return false;
   }
+  frame.Image = this->Internal->Target.GetTexture();
   const bool drawn = this->ProjectCells(frame);
   this->Internal->Target.End(frame.Window);
   // Without it the seconds would be those of the submission, and the blend would pay for the cells.

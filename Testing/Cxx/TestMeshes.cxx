@@ -133,6 +133,26 @@ TestMeshes::Grid TestMeshes::Slab(const double size[3], const int cells[3])
 }
 
 //------------------------------------------------------------------------------
+TestMeshes::Grid TestMeshes::JitteredCube(int cells)
+{
+  const double size[3] = { 1.0, 1.0, 1.0 };
+  const int counts[3] = { cells, cells, cells };
+  Grid grid = FromImage(size, counts);
+  for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
+  {
+    double p[3];
+    grid->GetPoint(id, p);
+    // Nothing on the cube's faces.
+    const double room = 20.0 / cells * (0.25 - p[0] * p[0]) * (0.25 - p[1] * p[1]) *
+                        (0.25 - p[2] * p[2]);
+    grid->GetPoints()->SetPoint(id, p[0] + room * std::sin(17.0 * id),
+      p[1] + room * std::sin(23.0 * id), p[2] + room * std::sin(29.0 * id));
+  }
+  SetField(grid, Waves);
+  return grid;
+}
+
+//------------------------------------------------------------------------------
 TestMeshes::Grid TestMeshes::Delaunay(int count)
 {
   vtkNew<vtkMinimalStandardRandomSequence> random;

@@ -27,6 +27,9 @@ Grid SixTetrahedra();
 /// size[0] x size[1] x size[2] about the origin in hexahedra, with a constant scalar of 1.
 Grid Slab(const double size[3], const int cells[3]);
 
+/// The unit cube about the origin in cells^3 hexahedra whose points inside it are moved about.
+Grid JitteredCube(int cells);
+
 /// A Delaunay mesh of random points in the unit cube about the origin.
 Grid Delaunay(int points);
 

@@ -1,0 +1,52 @@
+#ifndef ElementBuffers_h
+#define ElementBuffers_h
+
+#include "TextureBuffer.h"
+#include "vtkTimeStamp.h"
+
+#include <string>
+
+struct PreparedVolume;
+class vtkOpenGLRenderWindow;
+class vtkShaderProgram;
+class vtkWindow;
+
+/**
+ * @class ElementBuffers
+ * @brief What elements share on the GPU: the points, one scalar per point or cell, the transfer
+ * function. Nothing is kept there per element.
+ */
+class ElementBuffers
+{
+public:
+  /// What has changed since the last call. False, with the reason in GetFailure, where the driver
+  /// has no room.
+  bool Upload(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
+
+  /// Binds all of it for a program that is ready.
+  void Activate(vtkShaderProgram* program);
+  void Deactivate();
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+  /// Of points and scalars, the transfer function's few aside.
+  size_t GetNumberOfBytes() const { return this->NumberOfBytes; }
+  const std::string& GetFailure() const { return this->Failure; }
+
+private:
+  bool Check(const TextureBuffer& buffer, bool uploaded);
+  bool UploadFunction(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
+
+  TextureBuffer Points;
+  TextureBuffer Scalars;
+  TextureBuffer NodePositions;
+  TextureBuffer NodeValues;
+  vtkTimeStamp PointsUploaded;
+  vtkTimeStamp ScalarsUploaded;
+  vtkTimeStamp FunctionUploaded;
+  size_t NumberOfBytes = 0;
+  int NumberOfNodes = 0;
+  bool OnePerCell = false;
+  std::string Failure;
+};
+
+#endif

@@ -1,0 +1,116 @@
+#ifndef vtkBarycentricShellMapper_h
+#define vtkBarycentricShellMapper_h
+
+#include "vtkConvexCellMapper.h"
+
+#include <memory> // for std::unique_ptr
+
+/**
+ * @class vtkBarycentricShellMapper
+ * @brief Absorption and emission of meshes whose points move: no sort, no preprocessing.
+ *
+ * Paper: Georgii and Westermann, "A generic and scalable pipeline for GPU tetrahedral grid
+ * rendering", 2006. The space around the eye is cut into shells, spheres in perspective and planes
+ * in parallel projection. From front to back, the tetrahedra that overlap a shell are drawn in any
+ * order, each sampled on the slices of the shell in its own barycentric coordinates, and the
+ * samples are classified and composited. The GPU holds points and scalars only.
+ *
+ * With Integration Point the image is a sum over slices: its error is of first order in the
+ * distance between them. PreIntegrated takes the exact integral between neighbouring slices, from
+ * and to where the mesh begins and ends, as if the scalar were linear between: second order. A ray
+ * that leaves the mesh and enters it again within two slices may be off by one of them, and the
+ * greatest scalar counts where cells overlap.
+ *
+ * Cells that hide each other in a circle, concave meshes and gaps need nothing special.
+ *
+ * Blend mode: composite.
+ *
+ * @sa vtkConvexCellMapper for what is honoured and reported.
+ */
+class VTKCELLPROJECTION_EXPORT vtkBarycentricShellMapper : public vtkConvexCellMapper
+{
+public:
+  static vtkBarycentricShellMapper* New();
+  vtkTypeMacro(vtkBarycentricShellMapper, vtkConvexCellMapper);
+  void PrintSelf(ostream& os, vtkIndent indent) override;
+
+  ///@{
+  /**
+   * The distance between two slices in world lengths, or how many of them the diagonal of the mesh
+   * is long. Of the two the one set last counts. Must be positive; a frame that would take more
+   * than 65,536 slices is refused with their number. Default: 400 samples per ray.
+   */
+  virtual void SetSampleDistance(double distance);
+  vtkGetMacro(SampleDistance, double);
+  virtual void SetSamplesPerRay(double samples);
+  vtkGetMacro(SamplesPerRay, double);
+  ///@}
+
+  ///@{
+  /**
+   * How many slices are sampled at once: 4, 8 or 16, in one, two or four float targets of four
+   * components. The image is the same; fewer tetrahedra are drawn twice with more, and more samples
+   * of those that are thinner than a shell come to nothing. Default: 8.
+   */
+  virtual void SetSamplesPerShell(int samples);
+  vtkGetMacro(SamplesPerShell, int);
+  ///@}
+
+  enum IntegrationType
+  {
+    POINT = 0,
+    PRE_INTEGRATED = 1
+  };
+
+  ///@{
+  /**
+   * What a sample stands for. Point: its slice, as in the paper. PreIntegrated: the exact integral
+   * to the next sample. Default: PreIntegrated.
+   */
+  vtkSetClampMacro(Integration, int, POINT, PRE_INTEGRATED);
+  vtkGetMacro(Integration, int);
+  void SetIntegrationToPoint() { this->SetIntegration(POINT); }
+  void SetIntegrationToPreIntegrated() { this->SetIntegration(PRE_INTEGRATED); }
+  ///@}
+
+  ///@{
+  /**
+   * About the last frame: how many tetrahedra were drawn, each counted once per shell that it
+   * overlaps; how many shells there were until all pixels were opaque; bytes of points and scalars
+   * and of the shell's targets on the GPU.
+   */
+  vtkIdType GetNumberOfElementsDrawn() const;
+  int GetNumberOfShells() const;
+  vtkIdType GetMeshBytes() const;
+  vtkIdType GetTargetBytes() const;
+  ///@}
+
+protected:
+  vtkBarycentricShellMapper();
+  ~vtkBarycentricShellMapper() override;
+
+  const char* GetMethodName() const override { return "BarycentricShells"; }
+  bool CanDrawBlendMode(int mode) const override { return mode == COMPOSITE; }
+  bool NeedsTetrahedra() const override { return true; }
+  void SortCells(CellProjectionFrame& frame) override;
+  bool ProjectCells(CellProjectionFrame& frame) override;
+  void ReleaseBuffers(vtkWindow* window) override;
+
+private:
+  vtkBarycentricShellMapper(const vtkBarycentricShellMapper&) = delete;
+  void operator=(const vtkBarycentricShellMapper&) = delete;
+
+  void SelectCells();
+  void FillStatistics(CellProjectionFrame& frame);
+  bool PlanShells(CellProjectionFrame& frame);
+
+  double SampleDistance = 0.0;
+  double SamplesPerRay = 400.0;
+  int SamplesPerShell = 8;
+  int Integration = PRE_INTEGRATED;
+
+  class Internals;
+  std::unique_ptr<Internals> Internal;
+};
+
+#endif

@@ -1,0 +1,79 @@
+// Against the oracle: with points the error falls in proportion to the distance between samples,
+// with pre-integration to its square; 600 samples along a ray are enough.
+
+#include "TestMeshes.h"
+#include "TestScene.h"
+#include "vtkBarycentricShellMapper.h"
+#include "vtkConvexCells.h"
+
+#include <cmath>
+
+namespace
+{
+void SetCut(TestScene& scene, vtkUnstructuredGrid* grid)
+{
+  // The oracle sees the tetrahedra that are drawn.
+  vtkNew<vtkConvexCells> cut;
+  cut->SetInputData(grid);
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  scene.SetGrid(cut->GetOutput());
+}
+
+enum class Measure
+{
+  RootMeanSquare,
+  Percentile
+};
+
+// The error over each of four distances, each half of the last: the mean ratio of two in a row.
+double MeanRatio(TestChecks& checks, TestScene& scene, const std::string& name, double coarsest,
+  Measure measure = Measure::RootMeanSquare)
+{
+  auto* mapper = vtkBarycentricShellMapper::SafeDownCast(scene.Mapper);
+  double first = 0.0, last = 0.0;
+  for (const double finer : { 1.0, 2.0, 4.0, 8.0 })
+  {
+    mapper->SetSamplesPerRay(finer * coarsest);
+    CHECK(scene.MaximumError(name + ", " + std::to_string(mapper->GetSamplesPerRay())) >= 0.0);
+    last = measure == Measure::RootMeanSquare ? scene.Oracle->GetRootMeanSquareError()
+                                              : scene.Oracle->GetPercentileError();
+    first = first == 0.0 ? last : first;
+  }
+  return std::cbrt(first / last);
+}
+
+void CheckMesh(TestChecks& checks, TestScene& scene, const std::string& name, Measure measure)
+{
+  auto* mapper = vtkBarycentricShellMapper::SafeDownCast(scene.Mapper);
+  mapper->SetIntegrationToPoint();
+  const double point = MeanRatio(checks, scene, name + ", point", 75.0);
+  // From inside, where all rays begin at one distance, all errors have one phase.
+  CHECK_NEAR(point, 2.0, 0.3);
+  CHECK_AT_MOST(scene.Oracle->GetRootMeanSquareError(), 1e-3);
+  CHECK_AT_MOST(scene.Oracle->GetMaximumError(), 1e-2);
+  mapper->SetIntegrationToPreIntegrated();
+  const double slab = MeanRatio(checks, scene, name + ", pre-integrated", 25.0, measure);
+  std::cout << name << ": ratios " << point << " and " << slab << "\n";
+  CHECK_NEAR(slab, 4.0, 0.4);
+}
+}
+
+int TestShellAccuracy(int, char*[])
+{
+  TestChecks checks;
+  TestScene scene(vtkNew<vtkBarycentricShellMapper>(), 64, 64);
+  SetCut(scene, TestMeshes::JitteredCube(5));
+  CheckMesh(checks, scene, "cube", Measure::RootMeanSquare);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(0.9);
+  CheckMesh(checks, scene, "cube, parallel", Measure::RootMeanSquare);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOff();
+  scene.LookFrom(0.1, 0.05, 0.15);
+  CheckMesh(checks, scene, "cube, from inside", Measure::RootMeanSquare);
+  // A few rays leave this one through a dent and enter it again within two slices.
+  SetCut(scene, TestMeshes::Curvilinear(5));
+  scene.LookFrom(0.5, 0.8, 2.2);
+  CheckMesh(checks, scene, "curvilinear", Measure::Percentile);
+  return checks.Result();
+}
