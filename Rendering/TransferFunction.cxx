@@ -1,5 +1,8 @@
 #include "TransferFunction.h"
 
+#include <glm/common.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -175,4 +178,18 @@ bool TransferFunction::IsNothing(const std::vector<int>& before, float low, floa
   first = std::min(std::max(first, 0), intervals);
   last = std::min(std::max(last, first), intervals);
   return before[last] == before[first];
+}
+
+//------------------------------------------------------------------------------
+glm::vec4 TransferFunction::ValueAt(float scalar) const
+{
+  const auto above = std::upper_bound(this->Positions.begin(), this->Positions.end(), scalar);
+  const int last = this->GetNumberOfNodes() - 2;
+  const int interval =
+    std::clamp(static_cast<int>(above - this->Positions.begin()) - 1, 0, last);
+  const float below = this->Positions[interval];
+  const float width = this->Positions[interval + 1] - below;
+  const float weight = width > 0.0f ? std::clamp((scalar - below) / width, 0.0f, 1.0f) : 0.0f;
+  const float* values = &this->Values[4 * static_cast<size_t>(interval)];
+  return glm::mix(glm::make_vec4(values), glm::make_vec4(values + 4), weight);
 }

@@ -1,6 +1,8 @@
 #ifndef TransferFunction_h
 #define TransferFunction_h
 
+#include <glm/vec4.hpp>
+
 #include <array>
 #include <functional>
 #include <vector>
@@ -39,6 +41,9 @@ public:
 
   /// True where colour times extinction is zero on the whole normalised interval.
   bool IsDark(float low, float high) const;
+
+  /// Colour and extinction at a normalised scalar; on a step the limit from above.
+  glm::vec4 ValueAt(float scalar) const;
 
   const std::vector<float>& GetPositions() const { return this->Positions; }
   const std::vector<float>& GetValues() const { return this->Values; }

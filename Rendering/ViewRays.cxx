@@ -75,6 +75,7 @@ bool ViewRays::Build(const Transforms& transforms)
   const glm::dmat4 clipToView = glm::inverse(transforms.ViewToClip);
   this->SetDepths(transforms, clipToView);
   this->SetRays(transforms, clipToView);
+  this->Size = { transforms.Width, transforms.Height };
   this->MeshToWorld = glm::scale(
     glm::translate(transforms.DataToWorld, transforms.Center), glm::dvec3(transforms.Scale));
   this->MeshToView = transforms.WorldToView * this->MeshToWorld;

@@ -59,6 +59,8 @@ public:
   glm::dvec4 Eye{ 0.0, 0.0, 0.0, 1.0 };
   /// Its depth from the reference plane; of parallel rays that of the view's origin.
   double EyeDepth = 0.0;
+  /// Of the viewport, in pixels.
+  glm::ivec2 Size{ 1, 1 };
 
 private:
   void SetDepths(const Transforms& transforms, const glm::dmat4& clipToView);

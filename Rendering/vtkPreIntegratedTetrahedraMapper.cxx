@@ -5,6 +5,7 @@
 #include "DrawnCells.h"
 #include "PreIntegrationTable.h"
 #include "PreparedVolume.h"
+#include "TetrahedraApproximation.h"
 #include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
@@ -26,11 +27,13 @@ public:
   TetrahedraSelection Selection;
   DrawnCells Drawn;
   TetrahedraRaster Raster;
+  TetrahedraApproximation Approximation;
   PreIntegrationTable Table;
   vtkTimeStamp TableTime;
   vtkTimeStamp CornersTime;
   vtkTimeStamp SelectionTime;
   vtkTimeStamp DrawnOrderTime;
+  vtkTimeStamp DrawnTime;
 
   // When the GPU's copies were made; a default stamp is older than everything.
   vtkTimeStamp CellsUploaded;
@@ -69,6 +72,14 @@ vtkVisibilitySort* vtkPreIntegratedTetrahedraMapper::GetVisibilitySort()
 }
 
 //------------------------------------------------------------------------------
+const char* vtkPreIntegratedTetrahedraMapper::GetMethodName() const
+{
+  static const char* const names[] = { "PreIntegratedTetrahedra", "ShirleyTuchman",
+    "ShirleyTuchmanExponential", "Voxel", "UniformThickness1", "UniformThickness2", "Centroid" };
+  return names[this->Approximation];
+}
+
+//------------------------------------------------------------------------------
 void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
@@ -85,8 +96,12 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
     internal.Selection.Classify(prepared.Scalars, prepared.Function);
     internal.SelectionTime.Modified();
   }
-  if (this->Integration == TABLE &&
-      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
+  if (this->Approximation != NONE)
+  {
+    this->PrepareApproximation(frame);
+  }
+  else if (this->Integration == TABLE &&
+           (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
   {
     const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
     internal.Table.Build(prepared.Function, range.data(), this->TableSize);
@@ -173,15 +188,25 @@ bool vtkPreIntegratedTetrahedraMapper::UploadField(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::BuildDrawnCells()
+{
+  Internals& internal = *this->Internal;
+  if (internal.DrawnTime < internal.DrawnOrderTime || internal.DrawnTime < internal.SelectionTime)
+  {
+    internal.Drawn.Build(internal.Order, internal.Selection);
+    internal.DrawnTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 {
   Internals& internal = *this->Internal;
-  if (internal.OrderUploaded > internal.DrawnOrderTime &&
-      internal.OrderUploaded > internal.SelectionTime)
+  this->BuildDrawnCells();
+  if (internal.OrderUploaded > internal.DrawnTime)
   {
     return true;
   }
-  internal.Drawn.Build(internal.Order, internal.Selection);
   if (internal.Drawn.NumberOfUnresolvedCells > 0)
   {
     this->WarnOnce(std::to_string(internal.Drawn.NumberOfUnresolvedCells) +
@@ -216,8 +241,48 @@ bool vtkPreIntegratedTetrahedraMapper::UploadTable(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::PrepareApproximation(CellProjectionFrame& frame)
+{
+  TetrahedraApproximation::Settings settings;
+  settings.Kind = static_cast<ApproximationKind>(this->Approximation);
+  settings.CentroidThickness = this->CentroidThickness;
+  settings.CentroidRimOpacity = this->CentroidRimOpacity;
+  this->Internal->Approximation.Prepare(
+    settings, this->GetPreparedVolume(), this->Internal->Selection, frame);
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::ProjectApproximation(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  if (!internal.Order.CyclicGroups.empty())
+  {
+    this->WarnOnce(std::to_string(internal.Order.CyclicGroups.size()) +
+                   " groups of cells hide each other in a circle: an approximation draws them as "
+                   "the sort left them; SetApproximationToNone() puts them in order per pixel.");
+  }
+  this->BuildDrawnCells();
+  return internal.Approximation.Draw(
+           this->GetPreparedVolume(), internal.Selection, internal.Drawn.Cells, frame) ||
+         this->Fail(frame, internal.Approximation.GetFailure());
+}
+
+//------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::Fail(CellProjectionFrame& frame, const std::string& reason)
+{
+  frame.Statistics.CellsDrawn = 0;
+  this->FailOnce(std::to_string(this->Internal->Selection.GetNumberOfCells()) +
+                 " tetrahedra cannot be drawn: " + reason + "; draw fewer cells.");
+  return false;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
 {
+  if (this->Approximation != NONE)
+  {
+    return this->ProjectApproximation(frame);
+  }
   TetrahedraRaster::View view;
   view.SamplesPerSegment = this->SamplesPerSegment;
   view.Integration = this->Integration == AVERAGE ? SegmentIntegration::Average
@@ -229,15 +294,9 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   view.Points = &this->GetPreparedVolume().Coordinates.Points;
   view.Corners = &this->Internal->Selection.Corners;
   TetrahedraRaster& raster = this->Internal->Raster;
-  if (this->UploadCells(frame) && this->UploadField(frame) && this->UploadOrder() &&
-      raster.Draw(frame.Window, view))
-  {
-    return true;
-  }
-  frame.Statistics.CellsDrawn = 0;
-  this->FailOnce(std::to_string(this->Internal->Selection.GetNumberOfCells()) +
-                 " tetrahedra cannot be drawn: " + raster.GetFailure() + "; draw fewer cells.");
-  return false;
+  return (this->UploadCells(frame) && this->UploadField(frame) && this->UploadOrder() &&
+           raster.Draw(frame.Window, view)) ||
+         this->Fail(frame, raster.GetFailure());
 }
 
 //------------------------------------------------------------------------------
@@ -245,6 +304,7 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseBuffers(vtkWindow* window)
 {
   Internals& internal = *this->Internal;
   internal.Raster.ReleaseGraphicsResources(window);
+  internal.Approximation.ReleaseGraphicsResources();
   internal.CellsUploaded = vtkTimeStamp();
   internal.ScalarsUploaded = vtkTimeStamp();
   internal.FunctionUploaded = vtkTimeStamp();
@@ -260,6 +320,9 @@ void vtkPreIntegratedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Integration: " << this->Integration << "\n";
   os << indent << "TableSize: " << this->TableSize << "\n";
   os << indent << "SamplesPerSegment: " << this->SamplesPerSegment << "\n";
+  os << indent << "Approximation: " << this->GetMethodName() << "\n";
+  os << indent << "CentroidThickness: " << this->CentroidThickness << "\n";
+  os << indent << "CentroidRimOpacity: " << this->CentroidRimOpacity << "\n";
   os << indent << "ReportOrder: " << this->ReportOrder << "\n";
   os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
 }
