@@ -25,13 +25,19 @@ glm::dmat4 ToGLM(vtkMatrix4x4* matrix)
 }
 
 //------------------------------------------------------------------------------
+glm::dmat4 SceneView::GetWorldToView(const CellProjectionFrame& frame)
+{
+  return ToGLM(frame.Renderer->GetActiveCamera()->GetModelViewTransformMatrix());
+}
+
+//------------------------------------------------------------------------------
 bool SceneView::SetRays(CellProjectionFrame& frame, const MeshCoordinates& coordinates)
 {
   vtkCamera* camera = frame.Renderer->GetActiveCamera();
   const double aspect = frame.Renderer->GetTiledAspectRatio();
   ViewRays::Transforms transforms;
   transforms.DataToWorld = ToGLM(frame.Volume->GetMatrix());
-  transforms.WorldToView = ToGLM(camera->GetModelViewTransformMatrix());
+  transforms.WorldToView = GetWorldToView(frame);
   transforms.ViewToClip = ToGLM(camera->GetProjectionTransformMatrix(aspect, -1, 1));
   transforms.Center = glm::make_vec3(coordinates.Center.data());
   transforms.Scale = coordinates.Scale;
@@ -43,8 +49,7 @@ bool SceneView::SetRays(CellProjectionFrame& frame, const MeshCoordinates& coord
 //------------------------------------------------------------------------------
 void SceneView::SetClippingPlanes(CellProjectionFrame& frame, vtkPlaneCollection* planes)
 {
-  vtkMatrix4x4* view = frame.Renderer->GetActiveCamera()->GetModelViewTransformMatrix();
-  const glm::dmat4 viewToWorld = glm::inverse(ToGLM(view));
+  const glm::dmat4 viewToWorld = glm::inverse(GetWorldToView(frame));
   const int count = planes ? planes->GetNumberOfItems() : 0;
   for (int i = 0; i < std::min(count, RayUniforms::MaximumClippingPlanes); ++i)
   {

@@ -10,6 +10,7 @@
 #include "cpHull.h"
 #include "cpIntegral.h"
 #include "cpNearClip.h"
+#include "cpOpticalDepth.h"
 #include "cpSegment.h"
 #include "cpShell.h"
 #include "cpShellOpenFragment.h"
@@ -85,7 +86,8 @@ std::string BlendSource(const Variant& variant)
   put("//VTK::Slices::Dec", cpSlices);
   put("//VTK::SlabEnd::Dec", cpSlabEnd);
   put("//VTK::TransferFunction::Dec", cpTransferFunction);
-  put("//VTK::Integral::Dec", cpIntegral);
+  static const std::string integral = std::string(cpOpticalDepth) + cpIntegral;
+  put("//VTK::Integral::Dec", integral.c_str());
   put("//VTK::Segment::Dec", cpSegment);
   return source;
 }

@@ -2,6 +2,7 @@
 
 #include "RayUniforms.h"
 #include "ScreenBox.h"
+#include "ShadingBuffers.h"
 #include "TransferFunction.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
@@ -72,12 +73,16 @@ bool TetrahedraRaster::BuildPrograms(
 {
   using TetrahedraShaders::ReadyProgram;
   using TetrahedraShaders::Task;
+  TetrahedraShaders::Variant variant;
+  variant.Integration = view.Integration;
+  variant.IsLit = view.Shading && view.Shading->IsLit();
+  variant.HasGradientOpacity = view.Shading && view.Shading->HasGradientOpacity();
   if (withLayers)
   {
-    programs.Search = ReadyProgram(window, view, Task::LayerSearch, view.Integration);
-    programs.Layer = ReadyProgram(window, view, Task::Layer, view.Integration);
+    programs.Search = ReadyProgram(window, view, Task::LayerSearch, variant);
+    programs.Layer = ReadyProgram(window, view, Task::Layer, variant);
   }
-  programs.Cells = ReadyProgram(window, view, Task::Cells, view.Integration);
+  programs.Cells = ReadyProgram(window, view, Task::Cells, variant);
   const bool compiled = programs.Cells && (!withLayers || (programs.Search && programs.Layer));
   if (!compiled)
   {
@@ -99,6 +104,10 @@ void TetrahedraRaster::SetUniforms(vtkShaderProgram* program, const View& view)
   {
     this->Table.Activate(program);
     program->SetUniformi("samplesPerSegment", view.SamplesPerSegment);
+  }
+  if (view.Shading)
+  {
+    view.Shading->Activate(program);
   }
 }
 
@@ -144,6 +153,10 @@ void TetrahedraRaster::EndCells(const View& view, const Programs& programs)
   if (view.Integration == SegmentIntegration::Table)
   {
     this->Table.Deactivate();
+  }
+  if (view.Shading)
+  {
+    view.Shading->Deactivate();
   }
   view.OpaqueDepth->Deactivate();
   if (programs.Layer)

@@ -16,6 +16,7 @@
 #include <vector>
 
 class PreIntegrationTable;
+class ShadingBuffers;
 class TransferFunction;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -54,6 +55,8 @@ public:
     SegmentIntegration Integration = SegmentIntegration::Exact;
     /// With a table: in how many parts a segment is looked up, at least.
     int SamplesPerSegment = 1;
+    /// Null where the volume is not lit and has no gradient opacity.
+    ShadingBuffers* Shading = nullptr;
     /// What was uploaded, for the box of a cyclic group on the screen.
     const DrawnCells* Cells = nullptr;
     const std::vector<float>* Points = nullptr;

@@ -5,11 +5,22 @@
 #include "cpCellVertex.h"
 #include "cpDepthLayer.h"
 #include "cpFootprint.h"
+#include "cpGradientOpacity.h"
+#include "cpGradients.h"
 #include "cpHull.h"
 #include "cpIntegral.h"
 #include "cpLayerSearchFragment.h"
+#include "cpLightSides.h"
+#include "cpLightTurns.h"
+#include "cpLighting.h"
 #include "cpNearClip.h"
+#include "cpNoGradientOpacity.h"
+#include "cpNoLighting.h"
+#include "cpOpticalDepth.h"
 #include "cpSegment.h"
+#include "cpShadedAverage.h"
+#include "cpShadedIntegral.h"
+#include "cpShadedPiece.h"
 #include "cpTableSegment.h"
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
@@ -24,6 +35,7 @@
 namespace
 {
 using TetrahedraShaders::Task;
+using TetrahedraShaders::Variant;
 
 std::string GeometrySource()
 {
@@ -34,29 +46,50 @@ std::string GeometrySource()
   return source;
 }
 
-const char* SegmentSource(SegmentIntegration integration)
+const char* SegmentSource(const Variant& variant)
 {
-  switch (integration)
+  switch (variant.Integration)
   {
     case SegmentIntegration::Table:
       return cpTableSegment;
     case SegmentIntegration::Average:
-      return cpAverageSegment;
+      return variant.IsShaded() ? cpShadedAverage : cpAverageSegment;
     default:
       return cpSegment;
   }
 }
 
-std::string FragmentSource(Task task, SegmentIntegration integration)
+std::string ShadingSource(const Variant& variant)
+{
+  std::string source = cpGradients;
+  source += variant.IsLit ? std::string(cpLighting) + cpLightTurns + cpLightSides : cpNoLighting;
+  source += variant.HasGradientOpacity ? cpGradientOpacity : cpNoGradientOpacity;
+  return source;
+}
+
+std::string IntegralSource(const Variant& variant)
+{
+  std::string source = cpOpticalDepth;
+  if (variant.Integration == SegmentIntegration::Exact)
+  {
+    source += variant.IsShaded() ? std::string(cpShadedIntegral) + cpShadedPiece : cpIntegral;
+  }
+  return source;
+}
+
+std::string FragmentSource(Task task, const Variant& variant)
 {
   std::string source = task == Task::LayerSearch ? cpLayerSearchFragment : cpTetrahedraFragment;
   const bool isLayer = task == Task::Layer;
-  auto put = [&source](const char* tag, const char* code)
+  const bool isShaded = variant.IsShaded();
+  auto put = [&source](const char* tag, const std::string& code)
   { vtkShaderProgram::Substitute(source, tag, code); };
   put("//VTK::Clip::Dec", cpTetrahedronClip);
   put("//VTK::TransferFunction::Dec", cpTransferFunction);
-  put("//VTK::Integral::Dec", integration == SegmentIntegration::Exact ? cpIntegral : "");
-  put("//VTK::Segment::Dec", SegmentSource(integration));
+  put("//VTK::Shading::Dec", isShaded ? ShadingSource(variant) : "");
+  put("//VTK::Shading::Impl", isShaded ? "beginShading(cell, c, base);" : "");
+  put("//VTK::Integral::Dec", IntegralSource(variant));
+  put("//VTK::Segment::Dec", SegmentSource(variant));
   put("//VTK::Layer::Dec", isLayer ? cpDepthLayer : "");
   put("//VTK::Layer::Impl", isLayer ? "if (!isInLayer(c.depth.x))\n    discard;" : "");
   return source;
@@ -67,10 +100,10 @@ namespace TetrahedraShaders
 {
 //------------------------------------------------------------------------------
 vtkShaderProgram* ReadyProgram(
-  vtkOpenGLRenderWindow* window, const RasterView& view, Task task, SegmentIntegration integration)
+  vtkOpenGLRenderWindow* window, const RasterView& view, Task task, const Variant& variant)
 {
   static const std::string geometry = GeometrySource();
-  const std::string fragment = RayUniforms::WithRay(FragmentSource(task, integration), view);
+  const std::string fragment = RayUniforms::WithRay(FragmentSource(task, variant), view);
   vtkShaderProgram* program =
     window->GetShaderCache()->ReadyShaderProgram(cpCellVertex, fragment.c_str(), geometry.c_str());
   return program && program->GetCompiled() ? program : nullptr;

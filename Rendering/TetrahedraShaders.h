@@ -28,9 +28,19 @@ enum class Task
   Layer
 };
 
+/// What a program draws with; what is off leaves no trace in its text.
+struct Variant
+{
+  SegmentIntegration Integration = SegmentIntegration::Exact;
+  bool IsLit = false;
+  bool HasGradientOpacity = false;
+
+  bool IsShaded() const { return this->IsLit || this->HasGradientOpacity; }
+};
+
 /// Null where it does not compile. VTK's cache finds the compiled program by its source again.
 vtkShaderProgram* ReadyProgram(
-  vtkOpenGLRenderWindow* window, const RasterView& view, Task task, SegmentIntegration integration);
+  vtkOpenGLRenderWindow* window, const RasterView& view, Task task, const Variant& variant);
 }
 
 #endif

@@ -31,24 +31,6 @@ void AppendNodes(Function* function, int valuesPerNode, std::vector<double>& can
   }
 }
 
-// Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for
-// nothing.
-bool HasEffectiveGradientOpacity(vtkVolumeProperty* property)
-{
-  if (property->GetDisableGradientOpacity() || !property->HasGradientOpacity())
-  {
-    return false;
-  }
-  vtkPiecewiseFunction* function = property->GetGradientOpacity();
-  double node[4];
-  bool effective = false;
-  for (int i = 0; i < function->GetSize(); ++i)
-  {
-    function->GetNodeValue(i, node);
-    effective = effective || node[1] != 1.0;
-  }
-  return effective;
-}
 }
 
 //------------------------------------------------------------------------------
@@ -162,15 +144,51 @@ int VolumePropertyReader::ChooseComponent(int numberOfComponents) const
 }
 
 //------------------------------------------------------------------------------
+bool VolumePropertyReader::HasGradientOpacity() const
+{
+  if (this->Property->GetDisableGradientOpacity() || !this->Property->HasGradientOpacity())
+  {
+    return false;
+  }
+  // Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for
+  // nothing.
+  vtkPiecewiseFunction* function = this->Property->GetGradientOpacity();
+  double node[4];
+  bool effective = function->GetSize() > 0 && !function->GetClamping();
+  for (int i = 0; i < function->GetSize(); ++i)
+  {
+    function->GetNodeValue(i, node);
+    effective = effective || node[1] != 1.0;
+  }
+  return effective;
+}
+
+//------------------------------------------------------------------------------
+double VolumePropertyReader::ReadGradientOpacity(TransferFunction& function) const
+{
+  vtkPiecewiseFunction* opacity = this->Property->GetGradientOpacity();
+  std::vector<double> candidates;
+  AppendNodes(opacity, 4, candidates);
+  const double greatest = *std::max_element(candidates.begin(), candidates.end());
+  const double range[2] = { 0.0, greatest > 0.0 ? greatest : 1.0 };
+  const double extremes[2] = { 0.0, 2.0 * range[1] };
+  const auto evaluate = [opacity](double gradient) {
+    return TransferFunction::Sample{ { 0.0, 0.0, 0.0, opacity->GetValue(gradient) } };
+  };
+  function.Build(candidates, evaluate, range, extremes, 1.0);
+  return range[1];
+}
+
+//------------------------------------------------------------------------------
 std::vector<std::string> VolumePropertyReader::FindUnsupported(
-  int numberOfComponents, bool onePerCell) const
+  int numberOfComponents, bool onePerCell, bool canShade) const
 {
   std::vector<std::string> unsupported;
-  if (this->Property->GetShade())
+  if (this->Property->GetShade() && !canShade)
   {
     unsupported.emplace_back("Shade is on: drawn unlit; call ShadeOff().");
   }
-  if (HasEffectiveGradientOpacity(this->Property))
+  if (this->HasGradientOpacity() && !canShade)
   {
     unsupported.emplace_back("A gradient opacity function is set: it is not applied; call "
                              "DisableGradientOpacityOn().");

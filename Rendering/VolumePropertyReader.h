@@ -28,8 +28,15 @@ public:
   void Read(const double range[2], const double extremes[2], bool isOpacityPerLength,
     TransferFunction& function, std::vector<std::string>& problems);
 
-  /// What the property asks for and composite projection of tetrahedra does not draw.
-  std::vector<std::string> FindUnsupported(int numberOfComponents, bool onePerCell) const;
+  /// What the property asks for and is not drawn; `canShade`: shading and gradient opacity are.
+  std::vector<std::string> FindUnsupported(
+    int numberOfComponents, bool onePerCell, bool canShade) const;
+
+  /// False where it is disabled or 1 everywhere.
+  bool HasGradientOpacity() const;
+
+  /// Builds `function` over the gradient's length, normalised; returns what 1 stands for.
+  double ReadGradientOpacity(TransferFunction& function) const;
 
   /// Which of an array's components the property wants; -1 is the magnitude.
   int ChooseComponent(int numberOfComponents) const;

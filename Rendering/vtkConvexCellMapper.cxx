@@ -170,7 +170,8 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   }
   VolumePropertyReader reader(frame.Volume->GetProperty());
   const int components = choice.Array->GetNumberOfComponents();
-  for (const std::string& text : reader.FindUnsupported(components, choice.OnePerCell))
+  for (const std::string& text :
+    reader.FindUnsupported(components, choice.OnePerCell, this->CanShade()))
   {
     this->WarnOnce(text);
   }

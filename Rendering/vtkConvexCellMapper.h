@@ -134,6 +134,8 @@ protected:
   virtual bool CanDrawBlendMode(int mode) const = 0;
   /// True where convex cells are to be cut into tetrahedra.
   virtual bool NeedsTetrahedra() const = 0;
+  /// True where Shade and gradient opacity are drawn.
+  virtual bool CanShade() const { return false; }
   /// False where ScalarOpacity is a pixel's own opacity, whatever the length of the ray.
   virtual bool IsOpacityPerLength() const { return true; }
   /// Orders the cells for this view.

@@ -5,10 +5,12 @@
 #include "DrawnCells.h"
 #include "PreIntegrationTable.h"
 #include "PreparedVolume.h"
+#include "ShadingBuffers.h"
 #include "TetrahedraApproximation.h"
 #include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
+#include "VolumeShading.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
@@ -29,6 +31,8 @@ public:
   TetrahedraRaster Raster;
   TetrahedraApproximation Approximation;
   PreIntegrationTable Table;
+  VolumeShading Shading;
+  ShadingBuffers ShadingOnGPU;
   vtkTimeStamp TableTime;
   vtkTimeStamp CornersTime;
   vtkTimeStamp SelectionTime;
@@ -99,9 +103,17 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   if (this->Approximation != NONE)
   {
     this->PrepareApproximation(frame);
+    return;
   }
-  else if (this->Integration == TABLE &&
-           (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
+  std::string problem;
+  internal.Shading.Prepare(
+    frame, prepared, internal.Selection.Corners, internal.CornersTime, problem);
+  if (!problem.empty())
+  {
+    this->WarnOnce(problem);
+  }
+  if (this->Integration == TABLE &&
+      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
   {
     const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
     internal.Table.Build(prepared.Function, range.data(), this->TableSize);
@@ -277,6 +289,23 @@ bool vtkPreIntegratedTetrahedraMapper::Fail(CellProjectionFrame& frame, const st
 }
 
 //------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::UploadShading(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  if (!internal.Shading.IsNeeded())
+  {
+    return false;
+  }
+  const bool good = internal.ShadingOnGPU.Upload(frame.Window, internal.Shading);
+  if (!good)
+  {
+    this->WarnOnce("No light and no gradient opacity: " + internal.ShadingOnGPU.GetFailure() +
+                   "; draw fewer points.");
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
 {
   if (this->Approximation != NONE)
@@ -290,6 +319,7 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
                        ? SegmentIntegration::Table
                        : SegmentIntegration::Exact;
   static_cast<RasterView&>(view) = frame.GetRasterView();
+  view.Shading = this->UploadShading(frame) ? &this->Internal->ShadingOnGPU : nullptr;
   view.Cells = &this->Internal->Drawn;
   view.Points = &this->GetPreparedVolume().Coordinates.Points;
   view.Corners = &this->Internal->Selection.Corners;
@@ -305,6 +335,7 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseBuffers(vtkWindow* window)
   Internals& internal = *this->Internal;
   internal.Raster.ReleaseGraphicsResources(window);
   internal.Approximation.ReleaseGraphicsResources();
+  internal.ShadingOnGPU.ReleaseGraphicsResources(window);
   internal.CellsUploaded = vtkTimeStamp();
   internal.ScalarsUploaded = vtkTimeStamp();
   internal.FunctionUploaded = vtkTimeStamp();

@@ -24,6 +24,18 @@ class vtkVisibilitySort;
  * peeling: a group of up to 1,500 is drawn twice for every cell that lies behind another in it at
  * some pixel.
  *
+ * With the property's Shade on, the emission is lit by all lights of the renderer (the first 16),
+ * after the model of vtkGPUVolumeRayCastMapper, two-sided:
+ *
+ *     kappa (ambient sum(light) + diffuse sum(light |n.l|)) + specular sum(light (r.v)^power)
+ *
+ * with n the gradient: at points the mean of the tetrahedra around them by volume, linear in
+ * between, of unit length where it is taken. Where it is zero (constant scalars, cell scalars) the
+ * ambient term is all there is. A light is its diffuse (specular) colour times its intensity, with
+ * the attenuation and the cone of a positional light; its own ambient colour is added to the
+ * ambient sum. A gradient opacity function takes the length of the gradient in the world. Exact
+ * integrates both over the cell, within 1e-3; Average takes them at both ends.
+ *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */
 class VTKCELLPROJECTION_EXPORT vtkPreIntegratedTetrahedraMapper : public vtkConvexCellMapper
@@ -160,6 +172,7 @@ protected:
   const char* GetMethodName() const override;
   bool CanDrawBlendMode(int mode) const override { return mode == COMPOSITE; }
   bool NeedsTetrahedra() const override { return true; }
+  bool CanShade() const override { return this->Approximation == NONE; }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
@@ -177,6 +190,7 @@ private:
   void PrepareApproximation(CellProjectionFrame& frame);
   bool ProjectApproximation(CellProjectionFrame& frame);
   bool Fail(CellProjectionFrame& frame, const std::string& reason);
+  bool UploadShading(CellProjectionFrame& frame);
 
   int Integration = EXACT;
   int TableSize = 128;

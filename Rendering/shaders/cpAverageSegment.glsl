@@ -8,8 +8,6 @@ vec4 valueAt(float scalar)
 vec4 integrateSegment(float front, float back, float len)
 {
   vec4 mean = 0.5 * (valueAt(front) + valueAt(back));
-  float depth = mean.a * len;
-  // The series keeps the digits that 1 - exp loses for thin segments.
-  float alpha = depth < 0.01 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth);
+  float alpha = opacityOf(mean.a * len);
   return vec4(mean.rgb * alpha, alpha);
 }

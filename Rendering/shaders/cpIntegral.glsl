@@ -15,23 +15,14 @@ vec4 integrateStep(vec4 front, vec4 back, float len)
   vec3 depth = gaussNode * (depthFront + 0.5 * depthRise * gaussNode);
   vec3 absorbed = gaussWeight * (depthFront + depthRise * gaussNode) * exp(-depth);
   float optical = depthFront + 0.5 * depthRise;
-  // The series keeps the digits that 1 - exp loses for thin steps.
-  float alpha = optical < 0.01
-    ? optical * (1.0 - optical * (0.5 - optical * (1.0 / 6.0 - optical / 24.0))) : 1.0 - exp(-optical);
+  float alpha = opacityOf(optical);
   float total = absorbed.x + absorbed.y + absorbed.z;
   float mean = total > 0.0 ? dot(absorbed, gaussNode) / total : 0.5;
   return vec4(mix(front.rgb, back.rgb, mean) * alpha, alpha);
 }
 
-// The share of a piece after which the optical depth reaches 1, or the whole of it.
-float stepShare(float depthFront, float depthRise)
-{
-  float root = depthFront * depthFront + 2.0 * depthRise;
-  return root > 0.0 ? min(1.0, 2.0 / (depthFront + sqrt(root))) : 1.0;
-}
-
 // Adds a piece of one interval behind what `sum` holds already.
-void addPiece(vec4 front, vec4 back, float len, inout vec4 sum)
+void addPiece(vec4 front, vec4 back, vec2 ends, float len, inout vec4 sum)
 {
   // A thousand would do to be opaque: more would leave the range of a float when squared.
   float thinning = min(1.0, 1e6 / max(max(front.a, back.a) * len, 1.0));

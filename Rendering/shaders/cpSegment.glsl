@@ -14,7 +14,7 @@ vec4 integrateSegment(float front, float back, float len)
     bool inner = falls ? interval > 0 && edge > back : interval + 2 < numberOfNodes && edge < back;
     float share = inner ? clamp((edge - front) / (back - front), done, 1.0) : 1.0;
     vec4 end = inner ? nodeValue(falls ? interval : interval + 1) : valueInInterval(interval, back);
-    addPiece(value, end, (share - done) * len, sum);
+    addPiece(value, end, vec2(done, share), (share - done) * len, sum);
     if (!inner)
     {
       break;

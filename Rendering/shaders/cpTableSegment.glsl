@@ -10,9 +10,7 @@ vec4 lookUp(float front, float back, float len)
   vec2 scalars = (vec2(front, back) - tableLookUp.x) * tableLookUp.y * (size.xy - 1.0);
   float share = (1.0 - exp2(-len * tableLookUp.z)) * size.z;
   vec4 entry = texture(preIntegration, (vec3(scalars, share) + 0.5) / size);
-  float depth = entry.a * len;
-  // The series keeps the digits that 1 - exp loses for thin segments.
-  float alpha = depth < 0.01 ? depth * (1.0 - depth * (0.5 - depth / 6.0)) : 1.0 - exp(-depth);
+  float alpha = opacityOf(entry.a * len);
   return vec4(entry.rgb * alpha, alpha);
 }
 

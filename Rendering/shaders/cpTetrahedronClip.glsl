@@ -46,6 +46,12 @@ Crossing crossingOf(vec4 texels[6], vec3 point, vec3 direction, vec2 limits)
   return c;
 }
 
+vec4 barycentricAt(Crossing c, float depth)
+{
+  vec4 barycentric = max(c.value + depth * c.slope, 0.0) * c.inverseHeight;
+  return barycentric / dot(barycentric, vec4(1.0));
+}
+
 float scalarAt(Crossing c, vec4 cornerScalars, float depth)
 {
   vec4 barycentric = max(c.value + depth * c.slope, 0.0) * c.inverseHeight;

@@ -131,6 +131,7 @@ bool TestScene::UpdateOracle()
   const int* size = this->Renderer->GetSize();
   this->Oracle->SetVolume(this->Volume);
   this->Oracle->SetCamera(this->Renderer->GetActiveCamera());
+  this->Oracle->SetLights(this->Renderer->GetLights());
   this->Oracle->SetSize(size[0], size[1]);
   // The oracle's numbers are the mappers'.
   this->Oracle->SetBlendMode(this->Mapper->GetBlendMode());

@@ -5,6 +5,7 @@
 
 #include "vtkDoubleArray.h"
 #include "vtkHardwareSelector.h"
+#include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkSelection.h"
 
@@ -67,15 +68,28 @@ void CheckSelectionPass(TestChecks& checks)
 int TestUnsupported(int, char*[])
 {
   TestChecks checks;
-  CheckWarning(checks, "Shade is on", [](TestScene& s) { s.Property->ShadeOn(); });
   CheckWarning(checks, "Interpolation is nearest",
     [](TestScene& s) { s.Property->SetInterpolationTypeToNearest(); });
-  CheckWarning(checks, "gradient opacity",
+  CheckWarning(checks, "2 lights have no direction",
     [](TestScene& s)
     {
-      vtkNew<vtkPiecewiseFunction> function;
-      function->AddPoint(0.0, 0.5);
-      s.Property->SetGradientOpacity(function);
+      for (int i = 0; i < 2; ++i)
+      {
+        vtkNew<vtkLight> light;
+        light->SetFocalPoint(light->GetPosition());
+        s.Renderer->AddLight(light);
+      }
+      s.Property->ShadeOn();
+    });
+  CheckWarning(checks, "5 lights do not shine: the first 16 do",
+    [](TestScene& s)
+    {
+      for (int i = 0; i < 20; ++i)
+      {
+        vtkNew<vtkLight> light;
+        s.Renderer->AddLight(light);
+      }
+      s.Property->ShadeOn();
     });
   CheckWarning(checks, "two-dimensional transfer function",
     [](TestScene& s) { s.Property->SetTransferFunctionMode(vtkVolumeProperty::TF_2D); });

@@ -34,8 +34,12 @@ OracleShading OracleLightReader::Read(vtkVolumeProperty* property, vtkLightColle
 //------------------------------------------------------------------------------
 bool OracleLightReader::Read(vtkLight* light, OracleLight& read) const
 {
-  read.Position = this->Place(light, light->GetPosition());
-  const OracleVector way = this->Place(light, light->GetFocalPoint()) - read.Position;
+  const bool isHeadlight = light->LightTypeIsHeadlight() != 0;
+  read.Position =
+    this->Place(light, isHeadlight ? this->Camera->GetPosition() : light->GetPosition());
+  const OracleVector way =
+    this->Place(light, isHeadlight ? this->Camera->GetFocalPoint() : light->GetFocalPoint()) -
+    read.Position;
   read.IsPositional = light->GetPositional() != 0;
   // VTK's cone angle is half of the cone's; from 90 degrees on there is none.
   read.IsSpot = read.IsPositional && light->GetConeAngle() < 90.0;
@@ -55,9 +59,9 @@ bool OracleLightReader::Read(vtkLight* light, OracleLight& read) const
 //------------------------------------------------------------------------------
 OracleVector OracleLightReader::Place(vtkLight* light, const double position[3]) const
 {
-  vtkMatrix4x4* matrix = light->LightTypeIsSceneLight()
-                           ? light->GetTransformMatrix()
-                           : this->Camera->GetCameraLightTransformMatrix();
+  vtkMatrix4x4* matrix = light->LightTypeIsCameraLight()
+                           ? this->Camera->GetCameraLightTransformMatrix()
+                           : light->GetTransformMatrix();
   double point[4] = { position[0], position[1], position[2], 1.0 };
   if (matrix)
   {

@@ -1,8 +1,8 @@
 /**
  * Lights of a scene and coefficients of a property as an OracleShading.
  *
- * Headlights and camera lights are placed by the camera itself, from the fixed coordinates that VTK
- * documents for them; nobody need have rendered before. Lights that are switched off, and those
+ * A headlight is where the camera is, a camera light is placed by the camera from the coordinates
+ * that VTK documents for it; nobody need have rendered before. Lights that are switched off, and those
  * without the direction that they need, are left out.
  */
 

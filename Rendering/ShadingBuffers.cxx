@@ -1,0 +1,116 @@
+#include "ShadingBuffers.h"
+
+#include "VolumeShading.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkShaderProgram.h"
+
+#include <glm/gtc/type_ptr.hpp>
+
+#include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+bool ShadingBuffers::Upload(vtkOpenGLRenderWindow* window, const VolumeShading& shading)
+{
+  this->Lit = shading.IsLit;
+  this->GradientToView = shading.GradientToView;
+  this->GradientScale = shading.GradientScale;
+  this->PackLights(shading.Lighting);
+  if (this->GradientsUploaded < shading.GradientsTime)
+  {
+    if (!this->Gradients.Upload(window, shading.Gradients.Values, 4))
+    {
+      this->Failure = this->Gradients.GetFailure();
+      return false;
+    }
+    this->GradientsUploaded.Modified();
+  }
+  return this->UploadNodes(window, shading);
+}
+
+//------------------------------------------------------------------------------
+bool ShadingBuffers::UploadNodes(vtkOpenGLRenderWindow* window, const VolumeShading& shading)
+{
+  this->NumberOfNodes = 0;
+  if (!shading.HasGradientOpacity)
+  {
+    return true;
+  }
+  const TransferFunction& opacity = shading.GradientOpacity;
+  std::vector<float> nodes;
+  for (int i = 0; i < opacity.GetNumberOfNodes(); ++i)
+  {
+    nodes.push_back(opacity.GetPositions()[i]);
+    nodes.push_back(opacity.GetValues()[4 * static_cast<size_t>(i) + 3]);
+  }
+  if (!this->Nodes.Upload(window, nodes, 1))
+  {
+    this->Failure = this->Nodes.GetFailure();
+    return false;
+  }
+  this->NumberOfNodes = opacity.GetNumberOfNodes();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::PackLights(const SceneLighting& lighting)
+{
+  this->Lights.clear();
+  for (const SceneLight& light : lighting.Lights)
+  {
+    const glm::vec3 place = light.IsPositional ? light.Position : -light.Direction;
+    this->Lights.emplace_back(place, light.IsPositional ? 1.0f : 0.0f);
+    this->Lights.emplace_back(light.Direction, light.ConeCosine);
+    this->Lights.emplace_back(light.Attenuation, light.Exponent);
+    this->Lights.emplace_back(light.Diffuse, 0.0f);
+    this->Lights.emplace_back(light.Specular, 0.0f);
+  }
+  this->AmbientLight = lighting.AmbientLight;
+  this->Material =
+    glm::vec4(lighting.Ambient, lighting.Diffuse, lighting.Specular, lighting.Power);
+  // A highlight of power p is about 1 / sqrt(p) wide.
+  this->GreatestTurn = std::min(0.5f, 1.0f / std::sqrt(std::max(lighting.Power, 1.0f)));
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::Activate(vtkShaderProgram* program)
+{
+  this->Gradients.Activate(program, "pointGradients");
+  program->SetUniformMatrix3x3("gradientToView", glm::value_ptr(this->GradientToView));
+  if (this->HasGradientOpacity())
+  {
+    this->Nodes.Activate(program, "gradientNodes");
+    program->SetUniformi("numberOfGradientNodes", this->NumberOfNodes);
+    program->SetUniformf("gradientScale", this->GradientScale);
+  }
+  if (this->Lit)
+  {
+    const int lights = static_cast<int>(this->Lights.size());
+    program->SetUniformi("numberOfLights", lights / 5);
+    program->SetUniform3f("ambientLight", glm::value_ptr(this->AmbientLight));
+    program->SetUniform4f("material", glm::value_ptr(this->Material));
+    program->SetUniformf("greatestTurn", this->GreatestTurn);
+    if (lights > 0)
+    {
+      program->SetUniform4fv("lights", lights, glm::value_ptr(this->Lights[0]));
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::Deactivate()
+{
+  this->Gradients.Deactivate();
+  if (this->HasGradientOpacity())
+  {
+    this->Nodes.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Gradients.ReleaseGraphicsResources(window);
+  this->Nodes.ReleaseGraphicsResources(window);
+  this->GradientsUploaded = vtkTimeStamp();
+}

@@ -1,0 +1,54 @@
+// Phong's model, two-sided, for all lights of the scene (class SceneLighting), view coordinates.
+
+const int maximumLights = 16;
+// Five a light: to the light or its position, w 1 for a position; where it shines, w the cone's
+// cosine; attenuation, w the exponent; diffuse colour; specular colour.
+uniform vec4 lights[5 * maximumLights];
+uniform int numberOfLights;
+uniform vec3 ambientLight;
+uniform vec4 material; // ambient, diffuse, specular, power
+
+// The unit vector to a light, and how much of it arrives.
+vec3 toLight(int light, vec3 point, out float arriving)
+{
+  vec4 place = lights[5 * light];
+  vec4 axis = lights[5 * light + 1];
+  vec4 fading = lights[5 * light + 2];
+  vec3 way = place.xyz - place.w * point;
+  float far = length(way);
+  way /= max(far, 1e-30);
+  arriving = 1.0;
+  if (place.w > 0.0)
+  {
+    float cosine = -dot(way, axis.xyz);
+    arriving = cosine >= axis.w ? pow(max(cosine, 1e-30), fading.w) : 0.0;
+    arriving /= dot(fading.xyz, vec3(1.0, far, far * far));
+  }
+  return way;
+}
+
+// What the colour becomes where `share` of the way is passed, with a gradient of its own.
+vec3 shadeBy(vec3 gradient, vec3 colour, float share)
+{
+  float size = length(gradient);
+  vec3 normal = gradient / max(size, 1e-30);
+  vec3 point = wayEntry + share * wayRise;
+  vec3 plain = material.x * ambientLight;
+  vec3 highlight = vec3(0.0);
+  for (int i = 0; i < numberOfLights; ++i)
+  {
+    float arriving;
+    vec3 way = toLight(i, point, arriving);
+    float cosine = dot(normal, way);
+    plain += arriving * (material.x + material.y * abs(cosine)) * lights[5 * i + 3].rgb;
+    float mirrored = dot(2.0 * cosine * normal - way, toEye);
+    float shine = size > 0.0 && mirrored > 0.0 ? pow(mirrored, material.w) : 0.0;
+    highlight += arriving * shine * lights[5 * i + 4].rgb;
+  }
+  return colour * plain + material.z * highlight;
+}
+
+vec3 shade(vec3 colour, float share)
+{
+  return shadeBy(gradientAt(share), colour, share);
+}
