@@ -7,6 +7,16 @@
 #include <algorithm>
 #include <cmath>
 
+namespace
+{
+void Store(const std::array<double, 3>& color, double fourth, float* texel)
+{
+  std::transform(color.begin(), color.end(), texel,
+    [](double channel) { return static_cast<float>(channel); });
+  texel[3] = static_cast<float>(fourth);
+}
+}
+
 //------------------------------------------------------------------------------
 double PreIntegrationTable::GetGreatestLength() const
 {
@@ -26,18 +36,25 @@ void PreIntegrationTable::FillRow(const TransferFunction& function, int back)
     for (int k = 0; k < lengths; ++k)
     {
       const double length = -std::log2(1.0 - static_cast<double>(k) / lengths);
-      const std::array<double, 3> color = integral.FindColor(unit * length);
+      const SegmentIntegral::Means means = integral.FindMeans(unit * length);
       const size_t row = static_cast<size_t>(this->Size) * k + back;
-      float* texel = &this->Texels[4 * (static_cast<size_t>(this->Size) * row + front)];
-      std::transform(color.begin(), color.end(), texel,
-        [](double channel) { return static_cast<float>(channel); });
-      texel[3] = static_cast<float>(integral.GetMeanExtinction());
+      const size_t texel = 4 * (static_cast<size_t>(this->Size) * row + front);
+      Store(means.Color, integral.GetMeanExtinction(), &this->Texels[texel]);
+      if (this->IsLit())
+      {
+        const double variance = means.AheadSquared - means.Ahead * means.Ahead;
+        Store(means.Front, means.Ahead, &this->Front[texel]);
+        Store({ { means.Color[0] - means.Front[0], means.Color[1] - means.Front[1],
+                means.Color[2] - means.Front[2] } },
+          std::sqrt(std::max(variance, 0.0)), &this->Back[texel]);
+      }
     }
   }
 }
 
 //------------------------------------------------------------------------------
-void PreIntegrationTable::Build(const TransferFunction& function, const float range[2], int size)
+void PreIntegrationTable::Build(
+  const TransferFunction& function, const float range[2], int size, bool isLit)
 {
   this->Size = size;
   std::copy_n(range, 2, this->Range);
@@ -47,7 +64,10 @@ void PreIntegrationTable::Build(const TransferFunction& function, const float ra
     this->GreatestExtinction =
       std::max(this->GreatestExtinction, function.GetValues()[4 * static_cast<size_t>(node) + 3]);
   }
-  this->Texels.resize(4 * static_cast<size_t>(size) * size * (size / 4));
+  const size_t values = static_cast<size_t>(size) * size * size;
+  this->Texels.resize(values);
+  this->Front.resize(isLit ? values : 0);
+  this->Back.resize(isLit ? values : 0);
   vtkSMPTools::For(0, size, 1,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -14,6 +14,13 @@ class TransferFunction;
  * length over which the greatest extinction makes an optical depth of 1. Stored are the mean
  * extinction, from which the opacity is rebuilt exactly, and the colour over that opacity.
  *
+ * A lit table has the paper's twelve entries: ambient colour and extinction; diffuse colour by the
+ * light at the front, and the weight w of the front's gradient in that of the highlight; diffuse
+ * colour by the light at the back, and in place of the highlight's strength, which over the opacity
+ * is 1 where one specular coefficient holds for all scalars, the spread of w: a highlight is the mean
+ * of those at w - spread and w + spread. (The paper's text has the front at t = 1 and the weight of
+ * the first integral missing: here the front's weight is 1 - t.)
+ *
  * Texels: Size x Size x Size / 4 x 4 floats, front scalar fastest: red, green, blue, extinction.
  * Front and back scalar i stand for Low + i (High - Low) / (Size - 1), length k for
  * 1 - 2^-l = k / (Size / 4). Read with linear interpolation. Where the transfer function bends the
@@ -23,12 +30,17 @@ class PreIntegrationTable
 {
 public:
   /// `range`: the normalised scalars that occur. Uses all threads.
-  void Build(const TransferFunction& function, const float range[2], int size);
+  void Build(const TransferFunction& function, const float range[2], int size, bool isLit);
+
+  bool IsLit() const { return !this->Front.empty(); }
 
   /// The longest segment that the table holds, in units of its length.
   double GetGreatestLength() const;
 
   std::vector<float> Texels;
+  /// Of a lit table: red, green, blue, w and red, green, blue, spread; else empty.
+  std::vector<float> Front;
+  std::vector<float> Back;
   int Size = 0;
   float Range[2] = { 0.0f, 1.0f };
   float GreatestExtinction = 0.0f;

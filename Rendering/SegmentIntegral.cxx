@@ -53,10 +53,12 @@ SegmentIntegral::SegmentIntegral(const TransferFunction& function, double front,
     last = interval + 2 >= function.GetNumberOfNodes() || positions[interval + 1] >= high;
     const double end = last ? high : static_cast<double>(positions[interval + 1]);
     Piece piece{ ValueIn(function, interval, done), ValueIn(function, interval, end),
+      high > low ? (done - low) / (high - low) : 0.0,
       high > low ? (end - done) / (high - low) : 1.0 };
     if (falls)
     {
       std::swap(piece.Front, piece.Back);
+      piece.Begin = 1.0 - piece.Begin - piece.Share;
     }
     this->MeanExtinction += 0.5 * piece.Share * (piece.Front[3] + piece.Back[3]);
     this->Pieces.push_back(piece);
@@ -69,6 +71,31 @@ SegmentIntegral::SegmentIntegral(const TransferFunction& function, double front,
 }
 
 //------------------------------------------------------------------------------
+void SegmentIntegral::Sum::Add(const Value& value, double share, double weight)
+{
+  const double ahead = 1.0 - share;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Color[i] += weight * value[i];
+    this->Front[i] += weight * ahead * value[i];
+  }
+  this->Ahead += weight * ahead;
+  this->AheadSquared += weight * ahead * ahead;
+}
+
+//------------------------------------------------------------------------------
+void SegmentIntegral::Sum::Divide(double total)
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Color[i] /= total;
+    this->Front[i] /= total;
+  }
+  this->Ahead /= total;
+  this->AheadSquared /= total;
+}
+
+//------------------------------------------------------------------------------
 void SegmentIntegral::AddStep(const Piece& piece, double from, double to, double length, Sum& sum)
 {
   const Value front = Mix(piece.Front, piece.Back, from);
@@ -76,48 +103,45 @@ void SegmentIntegral::AddStep(const Piece& piece, double from, double to, double
   const double stepLength = (to - from) * length;
   const double depthFront = front[3] * stepLength;
   const double depthRise = (back[3] - front[3]) * stepLength;
-  const double alpha = -std::expm1(-(depthFront + 0.5 * depthRise));
-  double mean = 0.0, total = 0.0;
+  double absorbed[3], total = 0.0;
   for (int i = 0; i < 3; ++i)
   {
     const double t = GaussNodes[i];
-    const double absorbed = GaussWeights[i] * (depthFront + depthRise * t) *
-                            std::exp(-t * (depthFront + 0.5 * depthRise * t));
-    mean += absorbed * t;
-    total += absorbed;
+    absorbed[i] = GaussWeights[i] * (depthFront + depthRise * t) *
+                  std::exp(-t * (depthFront + 0.5 * depthRise * t));
+    total += absorbed[i];
   }
-  const Value value = Mix(front, back, total > 0.0 ? mean / total : 0.5);
+  const double alpha = -std::expm1(-(depthFront + 0.5 * depthRise));
+  const double scale = total > 0.0 ? (1.0 - sum.Alpha) * alpha / total : 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    sum.Color[i] += (1.0 - sum.Alpha) * alpha * value[i];
+    const double within = from + (to - from) * GaussNodes[i];
+    sum.Add(Mix(front, back, GaussNodes[i]), piece.Begin + within * piece.Share, scale * absorbed[i]);
   }
   sum.Alpha += (1.0 - sum.Alpha) * alpha;
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> SegmentIntegral::FindThinColor() const
+SegmentIntegral::Sum SegmentIntegral::FindThin() const
 {
-  std::array<double, 3> emitted{ { 0.0, 0.0, 0.0 } }, mean = emitted;
+  Sum sum;
   for (const Piece& piece : this->Pieces)
   {
-    const Value middle = Mix(piece.Front, piece.Back, 0.5);
     for (int i = 0; i < 3; ++i)
     {
-      emitted[i] += piece.Share / 6.0 *
-                    (piece.Front[3] * piece.Front[i] + 4.0 * middle[3] * middle[i] +
-                      piece.Back[3] * piece.Back[i]);
-      mean[i] += piece.Share * middle[i];
+      const Value value = Mix(piece.Front, piece.Back, GaussNodes[i]);
+      // Where nothing is absorbed at all, what little would be counts alike everywhere.
+      const double emitted = this->MeanExtinction > 0.0 ? value[3] : 1.0;
+      sum.Add(value, piece.Begin + GaussNodes[i] * piece.Share,
+        piece.Share * GaussWeights[i] * emitted);
     }
   }
-  for (double& channel : emitted)
-  {
-    channel /= this->MeanExtinction;
-  }
-  return this->MeanExtinction > 0.0 ? emitted : mean;
+  sum.Divide(this->MeanExtinction > 0.0 ? this->MeanExtinction : 1.0);
+  return sum;
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> SegmentIntegral::FindColor(double length) const
+SegmentIntegral::Means SegmentIntegral::FindMeans(double length) const
 {
   Sum sum;
   double depth = 0.0;
@@ -136,7 +160,8 @@ std::array<double, 3> SegmentIntegral::FindColor(double length) const
   // So thin that alpha keeps no digits: absorption plays no role.
   if (!(sum.Alpha > 1e-12))
   {
-    return this->FindThinColor();
+    return this->FindThin();
   }
-  return { { sum.Color[0] / sum.Alpha, sum.Color[1] / sum.Alpha, sum.Color[2] / sum.Alpha } };
+  sum.Divide(sum.Alpha);
+  return sum;
 }

@@ -21,25 +21,39 @@ public:
   /// Over the segment; the optical depth is this times its length.
   double GetMeanExtinction() const { return this->MeanExtinction; }
 
-  /// The colour that a segment of this length has where it hides what is behind it: premultiplied
-  /// colour over alpha.
-  std::array<double, 3> FindColor(double length) const;
+  /// What reaches the eye of a segment, over its opacity: each is a mean over the segment weighted by
+  /// the emission that is not absorbed before.
+  struct Means
+  {
+    std::array<double, 3> Color{ { 0.0, 0.0, 0.0 } };
+    /// Of the colour times the share of the segment that is still ahead: 1 at the front.
+    std::array<double, 3> Front{ { 0.0, 0.0, 0.0 } };
+    /// Of that share, and of its square.
+    double Ahead = 0.0;
+    double AheadSquared = 0.0;
+  };
+  Means FindMeans(double length) const;
 
 private:
-  /// A part of the segment within one interval: red, green, blue, extinction at both ends.
+  /// A part of the segment within one interval: red, green, blue, extinction at both ends; where it
+  /// begins and how much of the segment it is.
   struct Piece
   {
     std::array<double, 4> Front;
     std::array<double, 4> Back;
+    double Begin;
     double Share;
   };
-  struct Sum
+  struct Sum : Means
   {
-    std::array<double, 3> Color{ { 0.0, 0.0, 0.0 } };
     double Alpha = 0.0;
+
+    /// A colour at a share of the segment, with its weight.
+    void Add(const std::array<double, 4>& value, double share, double weight);
+    void Divide(double total);
   };
   static void AddStep(const Piece& piece, double from, double to, double length, Sum& sum);
-  std::array<double, 3> FindThinColor() const;
+  Sum FindThin() const;
 
   std::vector<Piece> Pieces;
   double MeanExtinction = 0.0;

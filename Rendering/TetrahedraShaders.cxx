@@ -13,6 +13,7 @@
 #include "cpLightSides.h"
 #include "cpLightTurns.h"
 #include "cpLighting.h"
+#include "cpLitTable.h"
 #include "cpNearClip.h"
 #include "cpNoGradientOpacity.h"
 #include "cpNoLighting.h"
@@ -21,11 +22,14 @@
 #include "cpShadedAverage.h"
 #include "cpShadedIntegral.h"
 #include "cpShadedPiece.h"
+#include "cpShadedTable.h"
+#include "cpTableLookUp.h"
 #include "cpTableSegment.h"
 #include "cpTetrahedraFragment.h"
 #include "cpTetrahedraGeometry.h"
 #include "cpTetrahedronClip.h"
 #include "cpTransferFunction.h"
+#include "cpUnlitTable.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -46,12 +50,19 @@ std::string GeometrySource()
   return source;
 }
 
-const char* SegmentSource(const Variant& variant)
+std::string TableSource(const Variant& variant)
+{
+  std::string source = cpTableLookUp;
+  source += !variant.IsShaded() ? "" : variant.IsLit ? cpLitTable : cpUnlitTable;
+  return source + (variant.IsShaded() ? cpShadedTable : cpTableSegment);
+}
+
+std::string SegmentSource(const Variant& variant)
 {
   switch (variant.Integration)
   {
     case SegmentIntegration::Table:
-      return cpTableSegment;
+      return TableSource(variant);
     case SegmentIntegration::Average:
       return variant.IsShaded() ? cpShadedAverage : cpAverageSegment;
     default:

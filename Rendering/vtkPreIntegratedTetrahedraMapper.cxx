@@ -112,11 +112,13 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   {
     this->WarnOnce(problem);
   }
+  const bool isLit = internal.Shading.IsLit;
   if (this->Integration == TABLE &&
-      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize))
+      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
+        internal.Table.IsLit() != isLit))
   {
     const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
-    internal.Table.Build(prepared.Function, range.data(), this->TableSize);
+    internal.Table.Build(prepared.Function, range.data(), this->TableSize, isLit);
     internal.TableTime.Modified();
   }
 }

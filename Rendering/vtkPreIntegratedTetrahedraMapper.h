@@ -34,7 +34,9 @@ class vtkVisibilitySort;
  * ambient term is all there is. A light is its diffuse (specular) colour times its intensity, with
  * the attenuation and the cone of a positional light; its own ambient colour is added to the
  * ambient sum. A gradient opacity function takes the length of the gradient in the world. Exact
- * integrates both over the cell, within 1e-3; Average takes them at both ends.
+ * integrates both over the cell, within 1e-3; Table looks light up at two places of each part of a
+ * segment and cuts parts where it turns (three textures instead of one, the error of the unlit
+ * table); Average takes both at the ends.
  *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */

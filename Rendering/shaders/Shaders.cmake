@@ -32,6 +32,7 @@ set(shaders
   cpLightSides
   cpLightTurns
   cpLighting
+  cpLitTable
   cpLinearOpacity
   cpLongFace
   cpMeanEmission
@@ -48,6 +49,7 @@ set(shaders
   cpShadedAverage
   cpShadedIntegral
   cpShadedPiece
+  cpShadedTable
   cpShell
   cpShellOpenFragment
   cpShellPointBlend
@@ -58,6 +60,7 @@ set(shaders
   cpSlabEnd
   cpSliceDepths
   cpSlices
+  cpTableLookUp
   cpTableSegment
   cpTetrahedraFragment
   cpTetrahedraGeometry
@@ -66,4 +69,5 @@ set(shaders
   cpThreePassVertex
   cpTransferFunction
   cpTriangle
+  cpUnlitTable
   cpValley)

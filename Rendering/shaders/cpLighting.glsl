@@ -27,28 +27,31 @@ vec3 toLight(int light, vec3 point, out float arriving)
   return way;
 }
 
-// What the colour becomes where `share` of the way is passed, with a gradient of its own.
-vec3 shadeBy(vec3 gradient, vec3 colour, float share)
+struct Light
 {
+  vec3 ambient;
+  vec3 diffuse;
+  vec3 highlight;
+};
+
+// What arrives where `share` of the way is passed.
+Light lightAt(float share)
+{
+  vec3 gradient = gradientAt(share);
   float size = length(gradient);
   vec3 normal = gradient / max(size, 1e-30);
   vec3 point = wayEntry + share * wayRise;
-  vec3 plain = material.x * ambientLight;
-  vec3 highlight = vec3(0.0);
+  Light sum = Light(material.x * ambientLight, vec3(0.0), vec3(0.0));
   for (int i = 0; i < numberOfLights; ++i)
   {
     float arriving;
     vec3 way = toLight(i, point, arriving);
     float cosine = dot(normal, way);
-    plain += arriving * (material.x + material.y * abs(cosine)) * lights[5 * i + 3].rgb;
+    sum.ambient += arriving * material.x * lights[5 * i + 3].rgb;
+    sum.diffuse += arriving * material.y * abs(cosine) * lights[5 * i + 3].rgb;
     float mirrored = dot(2.0 * cosine * normal - way, toEye);
     float shine = size > 0.0 && mirrored > 0.0 ? pow(mirrored, material.w) : 0.0;
-    highlight += arriving * shine * lights[5 * i + 4].rgb;
+    sum.highlight += arriving * material.z * shine * lights[5 * i + 4].rgb;
   }
-  return colour * plain + material.z * highlight;
-}
-
-vec3 shade(vec3 colour, float share)
-{
-  return shadeBy(gradientAt(share), colour, share);
+  return sum;
 }

@@ -1,10 +1,5 @@
 // Without lights: colours stay as they are.
 
-vec3 shadeBy(vec3 gradient, vec3 colour, float share)
-{
-  return colour;
-}
-
 vec3 shade(vec3 colour, float share)
 {
   return colour;

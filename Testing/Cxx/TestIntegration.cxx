@@ -24,21 +24,21 @@ void CheckSegments(TestChecks& checks)
   const SegmentIntegral whole(ramp, 0.0, 1.0);
   CHECK_NEAR(whole.GetMeanExtinction(), 1.0, 1e-6);
   // Thin: the mean of s weighted by s is 2/3.
-  CHECK_NEAR(whole.FindColor(1e-14)[0], 2.0 / 3.0, 1e-6);
-  CHECK_NEAR(whole.FindColor(1e-3)[0], 2.0 / 3.0, 1e-3);
+  CHECK_NEAR(whole.FindMeans(1e-14).Color[0], 2.0 / 3.0, 1e-6);
+  CHECK_NEAR(whole.FindMeans(1e-3).Color[0], 2.0 / 3.0, 1e-3);
   // Thick and from the front: colour over alpha of int s 2 s L e^(-s^2 L) ds = sqrt(pi / L) / 2.
-  CHECK_NEAR(whole.FindColor(100.0)[0], std::sqrt(3.14159265358979 / 100.0) / 2.0, 1e-4);
+  CHECK_NEAR(whole.FindMeans(100.0).Color[0], std::sqrt(3.14159265358979 / 100.0) / 2.0, 1e-4);
   // From behind the densest part comes first.
   const SegmentIntegral reversed(ramp, 1.0, 0.0);
-  CHECK(reversed.FindColor(100.0)[0] > 0.99);
+  CHECK(reversed.FindMeans(100.0).Color[0] > 0.99);
   CHECK_NEAR(reversed.GetMeanExtinction(), 1.0, 1e-6);
   const SegmentIntegral point(ramp, 0.25, 0.25);
   CHECK_NEAR(point.GetMeanExtinction(), 0.5, 1e-6);
-  CHECK_NEAR(point.FindColor(3.0)[0], 0.25, 1e-6);
+  CHECK_NEAR(point.FindMeans(3.0).Color[0], 0.25, 1e-6);
 
   PreIntegrationTable table;
   const float ends[2] = { 0.0f, 1.0f };
-  table.Build(ramp, ends, 32);
+  table.Build(ramp, ends, 32, false);
   CHECK(table.Texels.size() == 4u * 32u * 32u * 8u);
   // Front 0, back 1, length 0: then the last front scalar, front and back 1.
   CHECK_NEAR(table.Texels[4 * 32 * 31 + 3], 1.0, 1e-6);
