@@ -7,11 +7,14 @@
 #include "PreparedVolume.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkConvexCells.h"
+#include "vtkCellArray.h"
 #include "vtkImageData.h"
 #include "vtkNew.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkPoints.h"
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
@@ -36,9 +39,29 @@ struct ScalarSource
 class vtkConvexCellMapper::Internals
 {
 public:
+  /// Takes what is new of the cells and their points. Scalars alone leave both as they are
+  /// (vtkConvexCells), and all that was made from them.
+  void TakeGeometry(vtkUnstructuredGrid* convex)
+  {
+    vtkPoints* points = convex->GetPoints();
+    const std::array<vtkMTimeType, 2> times = { { points ? points->GetMTime() : 0,
+      points ? points->GetData()->GetMTime() : 0 } };
+    if (this->SeenCells != convex->GetCells()->GetMTime())
+    {
+      this->Prepared.TakeCells(convex);
+    }
+    else if (this->SeenPoints != times)
+    {
+      this->Prepared.TakePoints();
+    }
+    this->SeenCells = convex->GetCells()->GetMTime();
+    this->SeenPoints = times;
+  }
+
   vtkNew<vtkConvexCells> Cells;
   PreparedVolume Prepared;
   vtkMTimeType SeenCells = 0;
+  std::array<vtkMTimeType, 2> SeenPoints{};
   // What the transfer function was read from: another property may be older than the last one.
   const void* SeenProperty = nullptr;
   // What the scalars were built from.

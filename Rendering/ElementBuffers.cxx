@@ -1,5 +1,6 @@
 #include "ElementBuffers.h"
 
+#include "FrameStatistics.h"
 #include "PreparedVolume.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
@@ -15,16 +16,20 @@ bool ElementBuffers::Check(const TextureBuffer& buffer, bool uploaded)
 }
 
 //------------------------------------------------------------------------------
-bool ElementBuffers::Upload(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared)
+bool ElementBuffers::Send(vtkOpenGLRenderWindow* window, TextureBuffer& buffer,
+  const std::vector<float>& values, int components)
 {
-  const std::vector<float>& points = prepared.Coordinates.Points;
-  const std::vector<float>& scalars = prepared.Scalars.Values;
-  this->OnePerCell = prepared.Scalars.OnePerCell;
-  this->NumberOfBytes = sizeof(float) * (points.size() + scalars.size());
+  this->UploadedBytes += sizeof(float) * values.size();
+  return this->Check(buffer, buffer.Upload(window, values, components));
+}
+
+//------------------------------------------------------------------------------
+bool ElementBuffers::UploadMesh(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared)
+{
   // Stamped where it worked only: the next frame tries again.
   if (this->PointsUploaded < prepared.PointsTime)
   {
-    if (!this->Check(this->Points, this->Points.Upload(window, points, 4)))
+    if (!this->Send(window, this->Points, prepared.Coordinates.Points, 4))
     {
       return false;
     }
@@ -32,13 +37,26 @@ bool ElementBuffers::Upload(vtkOpenGLRenderWindow* window, const PreparedVolume&
   }
   if (this->ScalarsUploaded < prepared.ScalarsTime)
   {
-    if (!this->Check(this->Scalars, this->Scalars.Upload(window, scalars, 1)))
+    if (!this->Send(window, this->Scalars, prepared.Scalars.Values, 1))
     {
       return false;
     }
     this->ScalarsUploaded.Modified();
   }
-  return this->FunctionUploaded > prepared.FunctionTime || this->UploadFunction(window, prepared);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool ElementBuffers::Upload(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared)
+{
+  this->OnePerCell = prepared.Scalars.OnePerCell;
+  this->NumberOfBytes =
+    sizeof(float) * (prepared.Coordinates.Points.size() + prepared.Scalars.Values.size());
+  this->UploadedBytes = 0;
+  this->UploadSeconds = 0.0;
+  FrameStatistics::Timer timer(this->UploadSeconds);
+  return this->UploadMesh(window, prepared) &&
+         (this->FunctionUploaded > prepared.FunctionTime || this->UploadFunction(window, prepared));
 }
 
 //------------------------------------------------------------------------------

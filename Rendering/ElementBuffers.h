@@ -30,10 +30,16 @@ public:
 
   /// Of points and scalars, the transfer function's few aside.
   size_t GetNumberOfBytes() const { return this->NumberOfBytes; }
+  /// Of these, what the last call of Upload sent, and how long that took.
+  size_t GetUploadedBytes() const { return this->UploadedBytes; }
+  double GetUploadSeconds() const { return this->UploadSeconds; }
   const std::string& GetFailure() const { return this->Failure; }
 
 private:
   bool Check(const TextureBuffer& buffer, bool uploaded);
+  bool UploadMesh(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
+  bool Send(vtkOpenGLRenderWindow* window, TextureBuffer& buffer, const std::vector<float>& values,
+    int components);
   bool UploadFunction(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
 
   TextureBuffer Points;
@@ -44,6 +50,8 @@ private:
   vtkTimeStamp ScalarsUploaded;
   vtkTimeStamp FunctionUploaded;
   size_t NumberOfBytes = 0;
+  size_t UploadedBytes = 0;
+  double UploadSeconds = 0.0;
   int NumberOfNodes = 0;
   bool OnePerCell = false;
   std::string Failure;

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace
 {
@@ -30,22 +31,52 @@ std::vector<unsigned char> FindUsedPoints(vtkUnstructuredGrid* mesh)
   }
   return used;
 }
+
+// Zero where a used point is not finite.
+std::vector<unsigned char> WithoutNonFinite(
+  vtkUnstructuredGrid* mesh, std::vector<unsigned char> used)
+{
+  for (size_t id = 0; id < used.size(); ++id)
+  {
+    double point[3];
+    mesh->GetPoint(static_cast<vtkIdType>(id), point);
+    used[id] = used[id] != 0 && std::isfinite(point[0] + point[1] + point[2]) ? 1 : 0;
+  }
+  return used;
+}
 }
 
 //------------------------------------------------------------------------------
 void MeshCoordinates::Build(vtkUnstructuredGrid* mesh)
 {
-  double bounds[6];
-  vtkBoundingBox::ComputeBounds(mesh->GetPoints(), FindUsedPoints(mesh).data(), bounds);
+  this->UsedPoints = FindUsedPoints(mesh);
+  this->Move(mesh);
+}
+
+//------------------------------------------------------------------------------
+void MeshCoordinates::SetExtent(const double bounds[6])
+{
   const vtkBoundingBox box(bounds);
   box.GetCenter(this->Center.data());
   const double size = 0.5 * box.GetMaxLength();
   this->Scale = size > 0.0 ? std::exp2(std::ceil(std::log2(size))) : 1.0;
-
   for (int i = 0; i < 3; ++i)
   {
     this->HalfLengths[i] = 0.5 * box.GetLength(i) / this->Scale;
   }
+}
+
+//------------------------------------------------------------------------------
+void MeshCoordinates::Move(vtkUnstructuredGrid* mesh)
+{
+  double bounds[6];
+  vtkBoundingBox::ComputeBounds(mesh->GetPoints(), this->UsedPoints.data(), bounds);
+  if (!std::isfinite(std::accumulate(bounds, bounds + 6, 0.0)))
+  {
+    vtkBoundingBox::ComputeBounds(
+      mesh->GetPoints(), WithoutNonFinite(mesh, this->UsedPoints).data(), bounds);
+  }
+  this->SetExtent(bounds);
   this->Points.assign(4 * static_cast<size_t>(mesh->GetNumberOfPoints()), 0.0f);
   vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
     [&](vtkIdType begin, vtkIdType end)

@@ -17,6 +17,8 @@ class MeshCoordinates
 public:
   /// Centre and size are those of the points that cells use.
   void Build(vtkUnstructuredGrid* mesh);
+  /// The same cells with other points. Points that are not finite do not count either.
+  void Move(vtkUnstructuredGrid* mesh);
 
   std::array<double, 3> Center{ { 0.0, 0.0, 0.0 } };
   double Scale = 1.0;
@@ -24,6 +26,11 @@ public:
   std::array<double, 3> HalfLengths{ { 0.0, 0.0, 0.0 } };
   /// x, y, z and an unused fourth per point.
   std::vector<float> Points;
+
+private:
+  void SetExtent(const double bounds[6]);
+
+  std::vector<unsigned char> UsedPoints;
 };
 
 #endif

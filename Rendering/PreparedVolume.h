@@ -25,6 +25,13 @@ struct PreparedVolume
     this->PointsTime.Modified();
   }
 
+  /// The same cells, moved.
+  void TakePoints()
+  {
+    this->Coordinates.Move(this->Cells);
+    this->PointsTime.Modified();
+  }
+
   vtkUnstructuredGrid* Cells = nullptr;
   MeshCoordinates Coordinates;
   ScalarField Scalars;

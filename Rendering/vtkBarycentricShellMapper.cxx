@@ -8,6 +8,7 @@
 #include "ShellPlan.h"
 #include "ShellRaster.h"
 #include "TetrahedraSelection.h"
+#include "TurnedCells.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -23,6 +24,8 @@ public:
   TetrahedraSelection Selection;
   vtkTimeStamp CornersTime;
   vtkTimeStamp SelectionTime;
+  TurnedCells Turned;
+  vtkTimeStamp TurnedTime;
   ShellCells Cells;
   ShellPlan Plan;
   ElementBuffers Buffers;
@@ -107,11 +110,38 @@ void vtkBarycentricShellMapper::SelectCells()
 }
 
 //------------------------------------------------------------------------------
+void vtkBarycentricShellMapper::CountTurnedCells()
+{
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  const std::vector<float>& points = prepared.Coordinates.Points;
+  const vtkIdType before = this->NumberOfTurnedCells;
+  if (internal.TurnedTime < prepared.CellsTime)
+  {
+    internal.Turned.TakeSides(points, internal.Selection.Corners);
+    this->NumberOfTurnedCells = 0;
+  }
+  else if (internal.TurnedTime < prepared.PointsTime)
+  {
+    this->NumberOfTurnedCells = internal.Turned.Count(points, internal.Selection.Corners);
+  }
+  internal.TurnedTime.Modified();
+  // Their number changes with every frame: it is said once, until all are well again.
+  if (before == 0 && this->NumberOfTurnedCells > 0)
+  {
+    vtkWarningMacro("Moved points have turned " << this->NumberOfTurnedCells
+                                                << " tetrahedra inside out: they are drawn as they "
+                                                   "are, see GetNumberOfTurnedCells().");
+  }
+}
+
+//------------------------------------------------------------------------------
 void vtkBarycentricShellMapper::SortCells(CellProjectionFrame& frame)
 {
   // Shells need no order: there are only distances from the eye to find.
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
   this->SelectCells();
+  this->CountTurnedCells();
   Internals& internal = *this->Internal;
   internal.Cells.Build(this->GetPreparedVolume().Coordinates.Points, internal.Selection.Corners,
     internal.Selection, frame.GetRasterView());
@@ -205,6 +235,18 @@ vtkIdType vtkBarycentricShellMapper::GetMeshBytes() const
 vtkIdType vtkBarycentricShellMapper::GetTargetBytes() const
 {
   return this->Internal->TargetBytes;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType vtkBarycentricShellMapper::GetUploadedBytes() const
+{
+  return static_cast<vtkIdType>(this->Internal->Buffers.GetUploadedBytes());
+}
+
+//------------------------------------------------------------------------------
+double vtkBarycentricShellMapper::GetUploadSeconds() const
+{
+  return this->Internal->Buffers.GetUploadSeconds();
 }
 
 //------------------------------------------------------------------------------

@@ -21,7 +21,9 @@
  * that leaves the mesh and enters it again within two slices may be off by one of them, and the
  * greatest scalar counts where cells overlap.
  *
- * Cells that hide each other in a circle, concave meshes and gaps need nothing special.
+ * Cells that hide each other in a circle, concave meshes and gaps need nothing special. Where
+ * points alone move, points alone are sent to the GPU: cells stay as they were first cut up
+ * (vtkConvexCells, KeepCells).
  *
  * Blend mode: composite.
  *
@@ -76,13 +78,17 @@ public:
   ///@{
   /**
    * About the last frame: how many tetrahedra were drawn, each counted once per shell that it
-   * overlaps; how many shells there were until all pixels were opaque; bytes of points and scalars
-   * and of the shell's targets on the GPU.
+   * overlaps; how many shells there were until all pixels were opaque; how many tetrahedra moved
+   * points have turned inside out since they got their cells (they are drawn as they are); bytes of
+   * points and scalars and of the shell's targets on the GPU, and what was sent of the former.
    */
   vtkIdType GetNumberOfElementsDrawn() const;
   int GetNumberOfShells() const;
   vtkIdType GetMeshBytes() const;
   vtkIdType GetTargetBytes() const;
+  vtkIdType GetUploadedBytes() const;
+  double GetUploadSeconds() const;
+  vtkGetMacro(NumberOfTurnedCells, vtkIdType);
   ///@}
 
 protected:
@@ -92,6 +98,7 @@ protected:
   const char* GetMethodName() const override { return "BarycentricShells"; }
   bool CanDrawBlendMode(int mode) const override { return mode == COMPOSITE; }
   bool NeedsTetrahedra() const override { return true; }
+  bool KeepsCells() const override { return true; }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
@@ -101,6 +108,7 @@ private:
   void operator=(const vtkBarycentricShellMapper&) = delete;
 
   void SelectCells();
+  void CountTurnedCells();
   void FillStatistics(CellProjectionFrame& frame);
   bool PlanShells(CellProjectionFrame& frame);
 
@@ -108,6 +116,7 @@ private:
   double SamplesPerRay = 400.0;
   int SamplesPerShell = 8;
   int Integration = PRE_INTEGRATED;
+  vtkIdType NumberOfTurnedCells = 0;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

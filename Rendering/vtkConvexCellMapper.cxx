@@ -128,6 +128,7 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
   vtkConvexCells* cells = this->Internal->Cells;
   cells->SetInputData(this->GetInput());
   cells->SetTetrahedraOnly(this->NeedsTetrahedra());
+  cells->SetKeepCells(this->KeepsCells());
   cells->Update();
   frame.Statistics.CellsIn = this->GetInput()->GetNumberOfCells();
   frame.Statistics.CellsSkippedInvalid = cells->GetNumberOfSkippedCells();
@@ -135,14 +136,8 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
   {
     this->WarnOnce(cells->GetLeftOutSummary() + ". They are skipped, the rest is drawn.");
   }
-  vtkUnstructuredGrid* convex = cells->GetOutput();
-  // Scalars alone leave the cells as they are (vtkConvexCells), and all that was made from them.
-  if (this->Internal->SeenCells != convex->GetCells()->GetMTime())
-  {
-    this->Internal->SeenCells = convex->GetCells()->GetMTime();
-    this->Internal->Prepared.TakeCells(convex);
-  }
-  return convex->GetNumberOfCells() > 0;
+  this->Internal->TakeGeometry(cells->GetOutput());
+  return cells->GetOutput()->GetNumberOfCells() > 0;
 }
 
 //------------------------------------------------------------------------------

@@ -136,6 +136,8 @@ protected:
   virtual bool NeedsTetrahedra() const = 0;
   /// True where Shade and gradient opacity are drawn.
   virtual bool CanShade() const { return false; }
+  /// True where cells may keep what they were when their points were elsewhere (vtkConvexCells).
+  virtual bool KeepsCells() const { return false; }
   /// False where ScalarOpacity is a pixel's own opacity, whatever the length of the ray.
   virtual bool IsOpacityPerLength() const { return true; }
   /// Orders the cells for this view.

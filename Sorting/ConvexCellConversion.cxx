@@ -329,6 +329,11 @@ void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output)
     output->GetPointData(), this->SourcePoints.data(), count);
 }
 
+bool ConvexCellConversion::SharesPointsOf(vtkUnstructuredGridBase* input) const
+{
+  return this->OutputIds.empty() && input->GetNumberOfPoints() == this->NumberOfPoints;
+}
+
 void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
 {
   vtkCellData* data = output->GetCellData();

@@ -48,6 +48,8 @@ public:
   /** FillOutput then takes the data of `input`, whose points, cells and their types are the same:
    *  the output's points and cells stay the objects they were. */
   void TakeDataFrom(vtkUnstructuredGridBase* input) { this->Input = input; }
+  /** Whether the output's points are the input's, as many as `input` has. */
+  bool SharesPointsOf(vtkUnstructuredGridBase* input) const;
   bool HasSameTypes(vtkUnstructuredGridBase* input) const
   {
     return this->Reader.HasSameTypes(input);

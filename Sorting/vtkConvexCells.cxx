@@ -19,6 +19,9 @@ vtkStandardNewMacro(vtkConvexCells);
 
 namespace
 {
+// Of what FindSources returns, the last.
+constexpr int NumberOfPointSources = 2;
+
 // False when the user has aborted. `step` is given ranges of 0 .. count.
 template <typename Step>
 bool RunInSteps(vtkAlgorithm* filter, vtkIdType count, double from, double to, Step step)
@@ -58,8 +61,9 @@ int vtkConvexCells::RequestData(
     return 0;
   }
   const std::vector<vtkMTimeType> sources = this->FindSources(input);
-  if (this->Last && sources == this->LastSources && this->Last->HasSameTypes(input))
+  if (this->HasKeptCells(input, sources))
   {
+    this->LastSources = sources;
     this->Last->TakeDataFrom(input);
     this->Last->FillOutput(output);
     return 1;
@@ -77,6 +81,20 @@ int vtkConvexCells::RequestData(
     this->UpdateProgress(1.0);
   }
   return 1;
+}
+
+bool vtkConvexCells::HasKeptCells(
+  vtkUnstructuredGridBase* input, const std::vector<vtkMTimeType>& sources) const
+{
+  if (!this->Last || !this->Last->HasSameTypes(input))
+  {
+    return false;
+  }
+  const bool sameCells = sources.size() == this->LastSources.size() &&
+                         std::equal(sources.begin(), sources.end() - NumberOfPointSources,
+                           this->LastSources.begin());
+  const bool samePoints = sameCells && sources == this->LastSources;
+  return samePoints || (sameCells && this->KeepCells && this->Last->SharesPointsOf(input));
 }
 
 bool vtkConvexCells::Convert(ConvexCellConversion& conversion)
@@ -101,9 +119,6 @@ std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* i
   std::vector<vtkMTimeType> times = { this->TetrahedraOnly };
   const auto add = [&times](vtkObject* source)
   { times.push_back(source ? source->GetMTime() : 0); };
-  vtkPoints* points = input->GetPoints();
-  add(points);
-  add(points ? points->GetData() : nullptr);
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
   vtkCellArray* cells = grid ? grid->GetCells() : nullptr;
   // Of other implementations nothing but the whole has a time.
@@ -121,6 +136,10 @@ std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* i
   add(input->GetPointData()->GetArray(ghosts));
   add(input->GetCellData()->GetArray(ghosts));
   add(input->GetCellData()->GetArray("Imaginary"));
+  // Last, for they alone may move: NumberOfPointSources.
+  vtkPoints* points = input->GetPoints();
+  add(points);
+  add(points ? points->GetData() : nullptr);
   return times;
 }
 
@@ -148,6 +167,7 @@ void vtkConvexCells::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TetrahedraOnly: " << (this->TetrahedraOnly ? "On" : "Off") << "\n"
+     << indent << "KeepCells: " << (this->KeepCells ? "On" : "Off") << "\n"
      << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n"
      << indent << "NumberOfDegenerateCells: " << this->NumberOfDegenerateCells << "\n"
      << indent << "NumberOfDroppedTetrahedra: " << this->NumberOfDroppedTetrahedra << "\n"

@@ -90,6 +90,17 @@ public:
   vtkBooleanMacro(TetrahedraOnly, bool);
   ///@}
 
+  ///@{
+  /**
+   * Where points alone have moved, give them the cells of the last update, as they were cut up,
+   * turned and left out then: cells may have turned inside out. Only where no point was merged or
+   * removed. Default: off, and all is found anew.
+   */
+  vtkSetMacro(KeepCells, bool);
+  vtkGetMacro(KeepCells, bool);
+  vtkBooleanMacro(KeepCells, bool);
+  ///@}
+
   // === What the last update did ===
 
   /**
@@ -194,7 +205,10 @@ private:
   bool Convert(ConvexCellConversion& conversion);
   std::vector<vtkMTimeType> FindSources(vtkUnstructuredGridBase* input) const;
 
+  bool HasKeptCells(vtkUnstructuredGridBase* input, const std::vector<vtkMTimeType>& sources) const;
+
   bool TetrahedraOnly = false;
+  bool KeepCells = false;
 
   vtkIdType NumberOfMergedPoints = 0;
   vtkIdType NumberOfDegenerateCells = 0;
