@@ -22,13 +22,20 @@ vtkSmartPointer<vtkDataSetAttributes> CarriedData::WholeArrays(
   return whole;
 }
 
-void CarriedData::CopyTuples(
-  vtkDataSetAttributes* from, vtkDataSetAttributes* to, const vtkIdType* sources, vtkIdType count)
+void CarriedData::CopyTuples(vtkDataSetAttributes* from, vtkDataSetAttributes* to,
+  const vtkIdType* sources, vtkIdType count, vtkIdType more)
 {
   // By chunks, so that the lists stay in cache.
   constexpr vtkIdType chunkSize = 16384;
-  to->CopyAllOn();
-  to->CopyAllocate(from, count);
+  if (more > 0)
+  {
+    to->InterpolateAllocate(from, count + more);
+  }
+  else
+  {
+    to->CopyAllOn();
+    to->CopyAllocate(from, count);
+  }
   vtkNew<vtkIdList> fromIds;
   vtkNew<vtkIdList> toIds;
   for (vtkIdType begin = 0; begin < count && to->GetNumberOfArrays() > 0; begin += chunkSize)

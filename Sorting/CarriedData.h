@@ -15,9 +15,10 @@ namespace CarriedData
  *  carried. */
 vtkSmartPointer<vtkDataSetAttributes> WholeArrays(vtkDataSetAttributes* from, vtkIdType tuples);
 
-/** Tuple i of each array of `to` is tuple sources[i] of `from`. */
-void CopyTuples(
-  vtkDataSetAttributes* from, vtkDataSetAttributes* to, const vtkIdType* sources, vtkIdType count);
+/** Tuple i of each array of `to` is tuple sources[i] of `from`. `more`: how many tuples are to be
+ *  interpolated after them; arrays that cannot be, such as global ids, are then left out. */
+void CopyTuples(vtkDataSetAttributes* from, vtkDataSetAttributes* to, const vtkIdType* sources,
+  vtkIdType count, vtkIdType more = 0);
 }
 
 #endif

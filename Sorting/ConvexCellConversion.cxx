@@ -1,50 +1,23 @@
 #include "ConvexCellConversion.h"
 
-#include "CarriedData.h"
-#include "CoincidentPoints.h"
-#include "ConvexCellGrid.h"
+#include "ConvexCellReport.h"
+#include "CurvedCells.h"
 #include "PolyhedronPlan.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
-#include "vtkIdTypeArray.h"
-#include "vtkPointData.h"
-#include "vtkPoints.h"
 #include "vtkSMPTools.h"
-#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace
 {
 using TetrahedralSplit::Shape;
 
 constexpr vtkIdType BlockSize = 4096;
-// In place of a point's canonical id.
-constexpr vtkIdType NonFinitePoint = -1;
-constexpr vtkIdType HiddenPoint = -2;
-
-// Null where there is none that fits.
-const unsigned char* GhostBits(vtkDataSetAttributes* data, vtkIdType count)
-{
-  auto* array =
-    vtkUnsignedCharArray::SafeDownCast(data->GetArray(vtkDataSetAttributes::GhostArrayName()));
-  const bool fits = array && array->GetNumberOfValues() == count;
-  return fits && count > 0 ? array->GetPointer(0) : nullptr;
-}
-
-// Whole where all points can be drawn.
-ConvexCellPlan::FateType FateOfPoints(const vtkIdType* ids, vtkIdType count)
-{
-  const vtkIdType smallest = count > 0 ? *std::min_element(ids, ids + count) : 0;
-  return smallest == HiddenPoint      ? ConvexCellPlan::Ghost
-         : smallest == NonFinitePoint ? ConvexCellPlan::NonFinite
-                                      : ConvexCellPlan::Whole;
-}
 }
 
 /** What one thread reads a cell into. */
@@ -59,9 +32,8 @@ struct ConvexCellConversion::Scratch
 ConvexCellConversion::ConvexCellConversion(vtkUnstructuredGridBase* input, bool tetrahedraOnly)
   : Input(input)
   , TetrahedraOnly(tetrahedraOnly)
-  , NumberOfPoints(input->GetNumberOfPoints())
   , NumberOfCells(input->GetNumberOfCells())
-  , Points(input->GetPoints() ? input->GetPoints()->GetData() : nullptr)
+  , Points(input)
   , Reader(input)
 {
 }
@@ -80,47 +52,19 @@ void ConvexCellConversion::ReadCells()
 
 void ConvexCellConversion::MergePoints()
 {
-  const unsigned char* ghosts = GhostBits(this->Input->GetPointData(), this->NumberOfPoints);
-  this->Canonical.resize(this->NumberOfPoints);
-  vtkSMPTools::For(0, this->NumberOfPoints,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      double x[3];
-      for (vtkIdType point = begin; point < end; ++point)
-      {
-        this->Points.Get(point, x);
-        const bool finite = std::isfinite(x[0]) && std::isfinite(x[1]) && std::isfinite(x[2]);
-        const bool hidden = ghosts && (ghosts[point] & vtkDataSetAttributes::HIDDENPOINT);
-        this->Canonical[point] = hidden ? HiddenPoint : finite ? 0 : NonFinitePoint;
-      }
-    });
-  CoincidentPoints::Merge(this->Points, this->NumberOfPoints, this->Canonical.data());
-  this->NumberOutputPoints();
+  this->Points.Merge();
 }
 
-void ConvexCellConversion::NumberOutputPoints()
+bool ConvexCellConversion::HasCurvedCells() const
 {
-  vtkIdType removed = 0;
-  for (vtkIdType point = 0; point < this->NumberOfPoints; ++point)
-  {
-    removed += this->Canonical[point] < 0;
-    this->NumberOfMergedPoints += this->Canonical[point] >= 0 && this->Canonical[point] != point;
-  }
-  removed += this->NumberOfMergedPoints;
-  if (removed == 0)
-  {
-    return;
-  }
-  this->OutputIds.assign(this->NumberOfPoints, -1);
-  this->SourcePoints.reserve(this->NumberOfPoints - removed);
-  for (vtkIdType point = 0; point < this->NumberOfPoints; ++point)
-  {
-    if (this->Canonical[point] == point)
-    {
-      this->OutputIds[point] = static_cast<vtkIdType>(this->SourcePoints.size());
-      this->SourcePoints.push_back(point);
-    }
-  }
+  return CurvedCells::HasAny(this->Reader.GetTypes());
+}
+
+bool ConvexCellConversion::RefineCurvedCells(const std::vector<vtkDataArray*>& arrays,
+  double tolerance, const std::function<bool()>& goOn)
+{
+  this->Curved = std::make_unique<CurvedCells>(this->Reader, this->Points);
+  return this->Curved->Refine(arrays, tolerance, goOn);
 }
 
 // visit(block, first cell, end of cells, scratch); the blocks in parallel.
@@ -160,59 +104,118 @@ ConvexCellCut ConvexCellConversion::FindCut(int type) const
   return isConvex ? ConvexCellCut::None : ConvexCellCut::NonConvex;
 }
 
+bool ConvexCellConversion::IsOfFaces(vtkIdType cell) const
+{
+  const int type = this->Reader.GetTypes()[cell];
+  return type == VTK_POLYHEDRON || type == VTK_CONVEX_POINT_SET;
+}
+
 // Moves the cursor past what will be written.
 ConvexCellPlan ConvexCellConversion::PlanCell(
-  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const
+  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor)
 {
   ConvexCellPlan plan;
   Shape shape;
   const int type = this->Reader.GetTypes()[cell];
-  plan.Fate = this->Reader.Refuse(cell);
+  plan.Fate = this->Curved ? this->Curved->GetFate(cell) : ConvexCellPlan::Whole;
+  plan.Fate = plan.Fate == ConvexCellPlan::Whole ? this->Reader.Refuse(cell) : plan.Fate;
   if (plan.Fate != ConvexCellPlan::Whole)
   {
     return plan;
   }
-  if (type == VTK_POLYHEDRON)
+  if (this->Curved && this->Curved->IsReplaced(cell))
   {
-    return this->PlanPolyhedronCell(cell, scratch, cursor);
+    return this->PlanReplacedCell(cell, cursor);
+  }
+  if (this->IsOfFaces(cell))
+  {
+    return this->PlanSurfaceCell(cell, scratch, cursor);
   }
   if (!ConvexCellReader::ShapeOf(type, shape))
   {
     plan.Fate = ConvexCellPlan::OtherType;
     return plan;
   }
-  if (!this->Reader.ReadIds(cell, shape, this->Canonical, scratch.List, scratch.Ids))
+  if (!this->Reader.ReadIds(cell, shape, this->Points.GetCanonical(), scratch.List, scratch.Ids))
   {
     plan.Fate = ConvexCellPlan::Invalid;
     return plan;
   }
   const int count = TetrahedralSplit::NumberOfVertices(shape);
-  plan.Fate = FateOfPoints(scratch.Ids, count);
-  if (plan.Fate == ConvexCellPlan::Whole)
+  plan.Fate = ConvexCellPoints::FateOf(scratch.Ids, count);
+  if (plan.Fate != ConvexCellPlan::Whole)
   {
-    plan = PlanConvexCell(
-      shape, scratch.Ids, this->FetchPoints(scratch.Ids, count, scratch), this->FindCut(type));
+    return plan;
+  }
+  plan = PlanConvexCell(
+    shape, scratch.Ids, this->FetchPoints(scratch.Ids, count, scratch), this->FindCut(type));
+  if (plan.Folded)
+  {
+    this->Stars.Try(cell, TetrahedralSplit::SolidOf(shape), scratch.Ids,
+      this->FetchPoints(scratch.Ids, count, scratch), plan.Inverted ? -1.0 : 1.0, this->Points,
+      plan, cursor);
+  }
+  if (!plan.Star)
+  {
     SkipConvexCell(plan, shape, cursor);
   }
   return plan;
 }
 
-ConvexCellPlan ConvexCellConversion::PlanPolyhedronCell(
-  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const
+ConvexCellPlan ConvexCellConversion::PlanSurfaceCell(
+  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor)
 {
   ConvexCellPlan plan;
-  if (!this->Reader.ReadSurface(cell, this->Canonical, scratch.List, scratch.Surface))
+  plan.Fate = this->Reader.ReadSurface(cell, this->Points, scratch.List, scratch.Surface);
+  if (plan.Fate != ConvexCellPlan::Whole)
   {
-    plan.Fate = ConvexCellPlan::WrongList;
     return plan;
   }
   const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
   const int count = static_cast<int>(ids.size());
-  plan.Fate = FateOfPoints(ids.data(), count);
-  return plan.Fate == ConvexCellPlan::Whole
-           ? PlanPolyhedron(scratch.Surface, this->FetchPoints(ids.data(), count, scratch),
-               this->FindCut(VTK_POLYHEDRON), cursor)
-           : plan;
+  plan = PlanPolyhedron(scratch.Surface, this->FetchPoints(ids.data(), count, scratch),
+    this->FindCut(VTK_POLYHEDRON), cursor);
+  if (plan.Fate == ConvexCellPlan::Concave)
+  {
+    this->Stars.Try(cell, scratch.Surface.GetSolid(), ids.data(),
+      this->FetchPoints(ids.data(), count, scratch), 1.0, this->Points, plan, cursor);
+  }
+  return plan;
+}
+
+// Pieces of negative volume are turned.
+ConvexCellPlan ConvexCellConversion::PlanReplacedCell(
+  vtkIdType cell, ConvexCellCursor& cursor) const
+{
+  ConvexCellPlan plan;
+  vtkIdType turned = 0, kept = 0;
+  double sum = 0.0;
+  this->Curved->VisitPieces(cell,
+    [&](const vtkIdType* ids)
+    {
+      const double volume = this->SixVolumes(ids);
+      kept += volume != 0.0;
+      turned += volume < 0.0;
+      plan.Dropped += volume == 0.0;
+      sum += volume;
+    });
+  cursor.Cell += kept;
+  cursor.Id += 4 * kept;
+  plan.Fate = kept > 0 ? ConvexCellPlan::Tetrahedra : ConvexCellPlan::ZeroVolume;
+  plan.Replaced = true;
+  plan.Inverted = sum < 0.0;
+  plan.Folded = turned > 0 && turned < kept;
+  return plan;
+}
+
+double ConvexCellConversion::SixVolumes(const vtkIdType* ids) const
+{
+  double x[4][3];
+  for (int corner = 0; corner < 4; ++corner)
+  {
+    this->Points.Get(ids[corner], x[corner]);
+  }
+  return TetrahedralSplit::SixVolumes(x[0], x[1], x[2], x[3]);
 }
 
 void ConvexCellConversion::PlanBlocks(vtkIdType begin, vtkIdType end)
@@ -233,49 +236,92 @@ void ConvexCellConversion::PlanBlocks(vtkIdType begin, vtkIdType end)
 
 void ConvexCellConversion::AllocateCells()
 {
+  this->Stars.AddPoints(this->Points);
+  this->Points.NumberOutput();
   this->BlockStarts.resize(this->GetNumberOfBlocks() + 1);
   for (std::size_t block = 1; block < this->BlockStarts.size(); ++block)
   {
     this->BlockStarts[block].Cell += this->BlockStarts[block - 1].Cell;
     this->BlockStarts[block].Id += this->BlockStarts[block - 1].Id;
   }
-  const ConvexCellCursor end = this->BlockStarts.back();
-  this->OutputTypes->SetNumberOfValues(end.Cell);
-  this->Offsets->SetNumberOfValues(end.Cell + 1);
-  this->Offsets->SetValue(end.Cell, end.Id);
-  this->Ids->SetNumberOfValues(end.Id);
-  this->SourceCells->SetName("SourceCell");
-  this->SourceCells->SetNumberOfValues(end.Cell);
+  this->Output.Allocate(this->BlockStarts.back());
 }
 
 void ConvexCellConversion::WriteCell(
   vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
 {
   const ConvexCellPlan& plan = this->Plans[cell];
-  const vtkIdType* outputIds = this->OutputIds.empty() ? nullptr : this->OutputIds.data();
-  const int type = this->Reader.GetTypes()[cell];
+  const vtkIdType* outputIds = this->Points.GetOutputIds();
   Shape shape;
   if (plan.Fate > ConvexCellPlan::Tetrahedra)
   {
     return;
   }
-  if (ConvexCellReader::ShapeOf(type, shape) &&
-      this->Reader.ReadIds(cell, shape, this->Canonical, scratch.List, scratch.Ids))
+  if (plan.Replaced)
   {
+    this->WriteReplacedCell(cell, arrays, cursor);
+  }
+  else if (this->IsOfFaces(cell))
+  {
+    this->WriteSurfaceCell(cell, scratch, arrays, cursor);
+  }
+  else if (ConvexCellReader::ShapeOf(this->Reader.GetTypes()[cell], shape) &&
+           this->Reader.ReadIds(
+             cell, shape, this->Points.GetCanonical(), scratch.List, scratch.Ids))
+  {
+    const int count = TetrahedralSplit::NumberOfVertices(shape);
+    if (plan.Star)
+    {
+      this->Stars.Write(cell, TetrahedralSplit::SolidOf(shape), scratch.Ids,
+        this->FetchPoints(scratch.Ids, count, scratch), outputIds, arrays, cursor);
+      return;
+    }
     WriteConvexCell(plan, shape, scratch.Ids, outputIds, cell, arrays, cursor);
   }
-  else if (this->Reader.ReadSurface(cell, this->Canonical, scratch.List, scratch.Surface))
+}
+
+void ConvexCellConversion::WriteSurfaceCell(
+  vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
+{
+  const ConvexCellPlan& plan = this->Plans[cell];
+  const vtkIdType* outputIds = this->Points.GetOutputIds();
+  this->Reader.ReadSurface(cell, this->Points, scratch.List, scratch.Surface);
+  const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
+  const int count = static_cast<int>(ids.size());
+  Coordinates* points = this->FetchPoints(ids.data(), count, scratch);
+  if (!plan.Star)
   {
-    const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
-    Coordinates* points = this->FetchPoints(ids.data(), static_cast<int>(ids.size()), scratch);
     WritePolyhedron(plan, scratch.Surface, points, outputIds, cell, arrays, cursor);
+    return;
   }
+  TurnOutward(scratch.Surface, points);
+  this->Stars.Write(cell, scratch.Surface.GetSolid(), ids.data(),
+    this->FetchPoints(ids.data(), count, scratch), outputIds, arrays, cursor);
+}
+
+void ConvexCellConversion::WriteReplacedCell(
+  vtkIdType cell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
+{
+  const vtkIdType* outputIds = this->Points.GetOutputIds();
+  this->Curved->VisitPieces(cell,
+    [&](const vtkIdType* ids)
+    {
+      const double volume = this->SixVolumes(ids);
+      if (volume != 0.0)
+      {
+        const int second = volume < 0.0 ? 2 : 1;
+        BeginConvexCell(VTK_TETRA, cell, arrays, cursor);
+        for (const int corner : { 0, second, 3 - second, 3 })
+        {
+          arrays.Ids[cursor.Id++] = outputIds ? outputIds[ids[corner]] : ids[corner];
+        }
+      }
+    });
 }
 
 void ConvexCellConversion::WriteBlocks(vtkIdType begin, vtkIdType end)
 {
-  const ConvexCellArrays arrays = { this->OutputTypes->GetPointer(0), this->Offsets->GetPointer(0),
-    this->Ids->GetPointer(0), this->SourceCells->GetPointer(0) };
+  const ConvexCellArrays arrays = this->Output.GetArrays();
   this->VisitBlocks(begin, end,
     [&](vtkIdType block, vtkIdType first, vtkIdType last, Scratch& scratch)
     {
@@ -289,89 +335,47 @@ void ConvexCellConversion::WriteBlocks(vtkIdType begin, vtkIdType end)
 
 void ConvexCellConversion::FillOutput(vtkUnstructuredGrid* output)
 {
-  this->FillCells(output);
-  this->FillPoints(output);
-  this->FillCellData(output);
-}
-
-void ConvexCellConversion::FillCells(vtkUnstructuredGrid* output)
-{
-  if (!this->OutputCells)
-  {
-    this->OutputCells = ConvexCellGrid::Make(this->OutputTypes, this->Offsets, this->Ids);
-  }
-  output->CopyStructure(this->OutputCells);
-}
-
-void ConvexCellConversion::FillPoints(vtkUnstructuredGrid* output)
-{
-  if (this->OutputIds.empty())
-  {
-    output->SetPoints(this->Input->GetPoints());
-    output->GetPointData()->PassData(
-      CarriedData::WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()));
-    return;
-  }
-  const auto count = static_cast<vtkIdType>(this->SourcePoints.size());
-  if (!this->OutputPoints)
-  {
-    this->OutputPoints = vtkSmartPointer<vtkPoints>::New();
-    this->OutputPoints->SetDataType(this->Input->GetPoints()->GetDataType());
-    this->OutputPoints->SetNumberOfPoints(count);
-    vtkNew<vtkIdList> list;
-    list->SetNumberOfIds(count);
-    std::copy(this->SourcePoints.begin(), this->SourcePoints.end(), list->GetPointer(0));
-    this->Input->GetPoints()->GetData()->GetTuples(list, this->OutputPoints->GetData());
-  }
-  output->SetPoints(this->OutputPoints);
-  CarriedData::CopyTuples(
-    CarriedData::WholeArrays(this->Input->GetPointData(), this->Input->GetNumberOfPoints()),
-    output->GetPointData(), this->SourcePoints.data(), count);
+  this->Output.FillCells(output);
+  vtkUnstructuredGrid* grid = this->Reader.GetGrid();
+  CurvedCell curved(grid ? grid : vtkUnstructuredGrid::SafeDownCast(this->Input));
+  this->Points.Fill(this->Input, output,
+    [&](const ConvexCellPoints::Origin& origin, vtkIdList* ids, std::vector<double>& weights)
+    {
+      if (!this->Stars.GetWeights(origin.Cell, ids, weights))
+      {
+        curved.Take(origin.Cell);
+        curved.Locate(origin.Reference);
+        ids->DeepCopy(curved.GetIds());
+        weights.assign(curved.GetWeights(), curved.GetWeights() + ids->GetNumberOfIds());
+      }
+    });
+  this->Output.FillCellData(this->Input->GetCellData(), this->Plans, output->GetCellData());
 }
 
 bool ConvexCellConversion::SharesPointsOf(vtkUnstructuredGridBase* input) const
 {
-  return this->OutputIds.empty() && input->GetNumberOfPoints() == this->NumberOfPoints;
-}
-
-void ConvexCellConversion::FillCellData(vtkUnstructuredGrid* output) const
-{
-  vtkCellData* data = output->GetCellData();
-  const auto fateIs = [](ConvexCellPlan::FateType fate)
-  { return [fate](const ConvexCellPlan& plan) { return plan.Fate == fate; }; };
-  const auto& plans = this->Plans;
-  if (std::all_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Whole)))
-  {
-    data->PassData(
-      CarriedData::WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()));
-  }
-  else
-  {
-    CarriedData::CopyTuples(
-      CarriedData::WholeArrays(this->Input->GetCellData(), this->Input->GetNumberOfCells()), data,
-      this->SourceCells->GetPointer(0), this->SourceCells->GetNumberOfValues());
-  }
-  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Tetrahedra)))
-  {
-    data->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
-  }
-  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Imaginary)))
-  {
-    data->RemoveArray("Imaginary");
-  }
-  data->AddArray(this->SourceCells);
+  return !this->Points.GetOutputIds() &&
+         input->GetNumberOfPoints() == this->Points.GetNumberOfIds();
 }
 
 ConvexCellCounts ConvexCellConversion::Count() const
 {
   ConvexCellCounts counts = CountConvexCells(this->Plans, this->Reader.GetTypes());
-  counts.MergedPoints = this->NumberOfMergedPoints;
+  counts.MergedPoints = this->Points.GetNumberOfMergedPoints();
+  counts.CoarseCells = this->Curved ? this->Curved->GetNumberOfCoarseCells() : 0;
   return counts;
+}
+
+void ConvexCellConversion::Report(vtkTable* report) const
+{
+  ConvexCellReport::Fill(this->Plans, this->Reader.GetTypes(),
+    this->Output.CountBySource(this->NumberOfCells), report);
 }
 
 void ConvexCellConversion::ReleaseWorkingMemory()
 {
   this->Reader.Close();
-  std::vector<vtkIdType>().swap(this->Canonical);
+  this->Points.ReleaseWorkingMemory();
+  this->Curved = nullptr;
   std::vector<ConvexCellCursor>().swap(this->BlockStarts);
 }

@@ -1,28 +1,30 @@
 /**
  * One run of vtkConvexCells: reads the mesh, plans each cell, writes the output's arrays.
  *
- * Passes, in the order of the methods: 1 merge points, 2 plan cells, 3 allocate, 4 write, 5 fill
- * the output. Passes 2 and 4 work on blocks of cells, in parallel, each block writing at its own
- * place in the output: the result does not depend on the threads. The algorithms are in
- * CoincidentPoints, ConvexCellPlan, PolyhedronPlan, ConvexityTest and TetrahedralSplit.
+ * Passes, in the order of the methods: 1 merge points, 2 refine curved cells, 3 plan cells,
+ * 4 allocate, 5 write, 6 fill the output. Passes 3 and 5 work on blocks of cells, in parallel, each
+ * block writing at its own place in the output: the result does not depend on the threads. The
+ * algorithms are in CoincidentPoints, CurvedRefinement, ConvexCellPlan, PolyhedronPlan, StarCell,
+ * ConvexityTest and TetrahedralSplit.
  */
 #ifndef ConvexCellConversion_h
 #define ConvexCellConversion_h
 
 #include "ConvexCellCounts.h"
+#include "ConvexCellGrid.h"
 #include "ConvexCellPlan.h"
+#include "ConvexCellPoints.h"
 #include "ConvexCellReader.h"
-#include "PointCoordinates.h"
+#include "StarCells.h"
 
-#include "vtkNew.h"
-#include "vtkSmartPointer.h"
-
+#include <functional>
+#include <memory>
 #include <vector>
 
+class CurvedCells;
+class vtkDataArray;
 class vtkIdList;
-class vtkIdTypeArray;
-class vtkPoints;
-class vtkUnsignedCharArray;
+class vtkTable;
 class vtkUnstructuredGrid;
 class vtkUnstructuredGridBase;
 
@@ -36,11 +38,16 @@ public:
 
   void ReadCells();                                 // types, points, faces
   void MergePoints();                               // a canonical id per point, or why it has none
+  bool HasCurvedCells() const;
+  /** False where `goOn` said no. `arrays`: point data to follow within `tolerance`. */
+  bool RefineCurvedCells(const std::vector<vtkDataArray*>& arrays, double tolerance,
+    const std::function<bool()>& goOn);
   void PlanBlocks(vtkIdType begin, vtkIdType end);  // what becomes of each cell
   void AllocateCells();                             // where each block begins in the output
   void WriteBlocks(vtkIdType begin, vtkIdType end); // cells and SourceCell
   void FillOutput(vtkUnstructuredGrid* output);     // points and data
   ConvexCellCounts Count() const;
+  void Report(vtkTable* report) const;
 
   /** Gives back what only the steps before FillOutput need. */
   void ReleaseWorkingMemory();
@@ -60,38 +67,32 @@ private:
   struct Scratch;
 
   ConvexCellCut FindCut(int type) const;
-  ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const;
-  ConvexCellPlan PlanPolyhedronCell(
-    vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor) const;
+  ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
+  ConvexCellPlan PlanSurfaceCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
+  ConvexCellPlan PlanReplacedCell(vtkIdType cell, ConvexCellCursor& cursor) const;
+  bool IsOfFaces(vtkIdType cell) const;
   void WriteCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
     ConvexCellCursor& cursor) const;
+  double SixVolumes(const vtkIdType* ids) const;
+  void WriteReplacedCell(
+    vtkIdType cell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const;
+  void WriteSurfaceCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
+    ConvexCellCursor& cursor) const;
   Coordinates* FetchPoints(const vtkIdType* ids, int count, Scratch& scratch) const;
-  void NumberOutputPoints();
-  void FillCells(vtkUnstructuredGrid* output);
-  void FillPoints(vtkUnstructuredGrid* output);
-  void FillCellData(vtkUnstructuredGrid* output) const;
   template <typename Visit>
   void VisitBlocks(vtkIdType begin, vtkIdType end, Visit visit);
 
   vtkUnstructuredGridBase* Input;
   const bool TetrahedraOnly;
-  const vtkIdType NumberOfPoints;
   const vtkIdType NumberOfCells;
-  const PointCoordinates Points;
+  ConvexCellPoints Points;
   ConvexCellReader Reader;
-  std::vector<vtkIdType> Canonical;    // by input point
-  std::vector<vtkIdType> OutputIds;    // by input point; empty where nothing is merged or removed
-  std::vector<vtkIdType> SourcePoints; // by output point; empty likewise
-  vtkIdType NumberOfMergedPoints = 0;
+  std::unique_ptr<CurvedCells> Curved; // null where there are none
+  StarCells Stars;
 
   std::vector<ConvexCellPlan> Plans;         // by input cell
   std::vector<ConvexCellCursor> BlockStarts; // one more than there are blocks
-  vtkNew<vtkUnsignedCharArray> OutputTypes;
-  vtkNew<vtkIdTypeArray> Offsets;
-  vtkNew<vtkIdTypeArray> Ids;
-  vtkNew<vtkIdTypeArray> SourceCells;
-  vtkSmartPointer<vtkUnstructuredGrid> OutputCells; // without points
-  vtkSmartPointer<vtkPoints> OutputPoints;          // null where the input's are taken
+  ConvexCellGrid Output;
 };
 
 #endif

@@ -9,28 +9,19 @@
 
 namespace
 {
+// 3 for what cannot be known.
+int DimensionOf(int type)
+{
+  const auto example = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return example ? example->GetCellDimension() : 3;
+}
+
 void AppendKind(std::string& summary, vtkIdType count, const std::string& what)
 {
   if (count > 0)
   {
     summary += (summary.empty() ? "cells left out: " : ", ") + std::to_string(count) + " " + what;
   }
-}
-
-// Why a type is not taken, and what would help.
-std::string Reason(vtkCell* example)
-{
-  if (!example)
-  {
-    return "not supported";
-  }
-  const int dimension = example->GetCellDimension();
-  if (dimension < 3)
-  {
-    return std::to_string(dimension) + "-D";
-  }
-  const std::string help = ": vtkDataSetTriangleFilter makes tetrahedra of it";
-  return (example->GetCellType() == VTK_CONVEX_POINT_SET ? "no faces" : "not linear") + help;
 }
 
 void CountOtherTypes(const std::vector<ConvexCellPlan>& plans,
@@ -47,13 +38,23 @@ void CountOtherTypes(const std::vector<ConvexCellPlan>& plans,
     {
       continue;
     }
-    const auto example = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
-    const bool isLower = example && example->GetCellDimension() < 3;
-    const std::string name = example ? example->GetClassName() : "of type " + std::to_string(type);
-    (isLower ? counts.LowerDimensionalCells : counts.UnsupportedCells) += cells[type];
-    AppendKind(counts.LeftOutSummary, cells[type], name + " (" + Reason(example) + ")");
+    (DimensionOf(type) < 3 ? counts.LowerDimensionalCells : counts.UnsupportedCells) += cells[type];
+    AppendKind(counts.LeftOutSummary, cells[type],
+      NameOfCellType(type) + " (" + ReasonAgainstType(type) + ")");
   }
 }
+}
+
+std::string NameOfCellType(int type)
+{
+  const auto example = vtk::TakeSmartPointer(vtkGenericCell::InstantiateCell(type));
+  return example ? example->GetClassName() : "of type " + std::to_string(type);
+}
+
+std::string ReasonAgainstType(int type)
+{
+  const int dimension = DimensionOf(type);
+  return dimension < 3 ? std::to_string(dimension) + "-D" : "not supported";
 }
 
 ConvexCellCounts CountConvexCells(
@@ -68,10 +69,10 @@ ConvexCellCounts CountConvexCells(
     counts.DroppedTetrahedra += plan.Dropped;
     counts.InvertedCells += plan.Inverted;
     counts.FoldedCells += plan.Folded;
-    counts.NonConvexCells += plan.NonConvex;
+    counts.NonConvexCells += plan.NonConvex && plan.Fate == ConvexCellPlan::Tetrahedra;
   }
   counts.ZeroVolumeCells = fates[ConvexCellPlan::ZeroVolume];
-  counts.GhostCells = fates[ConvexCellPlan::Ghost];
+  counts.GhostCells = fates[ConvexCellPlan::Ghost] + fates[ConvexCellPlan::Hidden];
   counts.NonFiniteCells = fates[ConvexCellPlan::NonFinite];
   counts.ImaginaryCells = fates[ConvexCellPlan::Imaginary];
   counts.ConcaveCells = fates[ConvexCellPlan::Concave];
@@ -87,7 +88,7 @@ ConvexCellCounts CountConvexCells(
   AppendKind(summary, fates[ConvexCellPlan::WrongList], "vtkPolyhedron (wrong list of faces)");
   AppendKind(summary, fates[ConvexCellPlan::Open], "vtkPolyhedron (open surface)");
   AppendKind(summary, fates[ConvexCellPlan::SeveralPieces], "vtkPolyhedron (several pieces)");
-  AppendKind(summary, counts.ConcaveCells, "vtkPolyhedron (concave: no corner sees all of it)");
+  AppendKind(summary, counts.ConcaveCells, "vtkPolyhedron (concave: no point sees all of it)");
   AppendKind(summary, counts.ZeroVolumeCells, "of zero volume");
   AppendKind(summary, counts.GhostCells, "ghost or hidden");
   AppendKind(summary, counts.NonFiniteCells, "with a point that is not finite");

@@ -26,9 +26,15 @@ struct ConvexCellCounts
   vtkIdType NonFiniteCells = 0;
   vtkIdType ImaginaryCells = 0;
   vtkIdType ConcaveCells = 0;
+  vtkIdType CoarseCells = 0;
   vtkIdType InvalidCells = 0;
   std::string LeftOutSummary;
 };
+
+/** VTK's name of the class, or the number where it has none. */
+std::string NameOfCellType(int type);
+/** Why a type is not taken. */
+std::string ReasonAgainstType(int type);
 
 /** By input cell: its plan and its VTK type. MergedPoints is not known here. */
 ConvexCellCounts CountConvexCells(

@@ -1,10 +1,12 @@
 #include "ConvexCellGrid.h"
 
+#include "CarriedData.h"
+
 #include "vtkCellArray.h"
+#include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
-#include "vtkNew.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
@@ -29,19 +31,83 @@ void InsertCells(vtkUnstructuredGrid* grid, vtkUnsignedCharArray* types, const v
 }
 }
 
-vtkSmartPointer<vtkUnstructuredGrid> ConvexCellGrid::Make(
-  vtkUnsignedCharArray* types, vtkIdTypeArray* offsets, vtkIdTypeArray* ids)
+ConvexCellGrid::ConvexCellGrid() = default;
+ConvexCellGrid::~ConvexCellGrid() = default;
+
+void ConvexCellGrid::Allocate(const ConvexCellCursor& end)
 {
-  auto grid = vtkSmartPointer<vtkUnstructuredGrid>::New();
-  const unsigned char* begin = types->GetPointer(0);
-  const unsigned char* end = begin + types->GetNumberOfValues();
+  this->Types->SetNumberOfValues(end.Cell);
+  this->Offsets->SetNumberOfValues(end.Cell + 1);
+  this->Offsets->SetValue(end.Cell, end.Id);
+  this->Ids->SetNumberOfValues(end.Id);
+  this->SourceCells->SetName("SourceCell");
+  this->SourceCells->SetNumberOfValues(end.Cell);
+}
+
+ConvexCellArrays ConvexCellGrid::GetArrays()
+{
+  return { this->Types->GetPointer(0), this->Offsets->GetPointer(0), this->Ids->GetPointer(0),
+    this->SourceCells->GetPointer(0) };
+}
+
+void ConvexCellGrid::MakeCells()
+{
+  this->Cells = vtkSmartPointer<vtkUnstructuredGrid>::New();
+  const unsigned char* begin = this->Types->GetPointer(0);
+  const unsigned char* end = begin + this->Types->GetNumberOfValues();
   if (std::find(begin, end, VTK_POLYHEDRON) != end)
   {
-    InsertCells(grid, types, offsets->GetPointer(0), ids->GetPointer(0));
-    return grid;
+    InsertCells(
+      this->Cells, this->Types, this->Offsets->GetPointer(0), this->Ids->GetPointer(0));
+    return;
   }
   vtkNew<vtkCellArray> cells;
-  cells->SetData(offsets, ids);
-  grid->SetCells(types, cells);
-  return grid;
+  cells->SetData(this->Offsets, this->Ids);
+  this->Cells->SetCells(this->Types, cells);
+}
+
+void ConvexCellGrid::FillCells(vtkUnstructuredGrid* output)
+{
+  if (!this->Cells)
+  {
+    this->MakeCells();
+  }
+  output->CopyStructure(this->Cells);
+}
+
+void ConvexCellGrid::FillCellData(
+  vtkCellData* input, const std::vector<ConvexCellPlan>& plans, vtkCellData* output) const
+{
+  const auto fateIs = [](ConvexCellPlan::FateType fate)
+  { return [fate](const ConvexCellPlan& plan) { return plan.Fate == fate; }; };
+  const auto whole = CarriedData::WholeArrays(input, static_cast<vtkIdType>(plans.size()));
+  if (std::all_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Whole)))
+  {
+    output->PassData(whole);
+  }
+  else
+  {
+    CarriedData::CopyTuples(whole, output, this->SourceCells->GetPointer(0),
+      this->SourceCells->GetNumberOfValues());
+  }
+  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Tetrahedra)))
+  {
+    output->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
+  }
+  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Imaginary)))
+  {
+    output->RemoveArray("Imaginary");
+  }
+  output->AddArray(this->SourceCells);
+}
+
+std::vector<int> ConvexCellGrid::CountBySource(vtkIdType inputCells) const
+{
+  std::vector<int> counts(inputCells, 0);
+  const vtkIdType* source = this->SourceCells->GetPointer(0);
+  for (vtkIdType cell = 0; cell < this->SourceCells->GetNumberOfValues(); ++cell)
+  {
+    ++counts[source[cell]];
+  }
+  return counts;
 }

@@ -1,20 +1,50 @@
 /**
- * The cells that ConvexCellPlan and PolyhedronPlan wrote, as a grid without points.
+ * The cells that ConvexCellPlan and PolyhedronPlan write, their data, and where they come from.
  */
 #ifndef ConvexCellGrid_h
 #define ConvexCellGrid_h
 
+#include "ConvexCellPlan.h"
+
+#include "vtkNew.h"
 #include "vtkSmartPointer.h"
 
+#include <vector>
+
+class vtkCellData;
 class vtkIdTypeArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
-namespace ConvexCellGrid
+class ConvexCellGrid
 {
-/** As ConvexCellArrays. Without polyhedra, the arrays become the grid's. */
-vtkSmartPointer<vtkUnstructuredGrid> Make(
-  vtkUnsignedCharArray* types, vtkIdTypeArray* offsets, vtkIdTypeArray* ids);
-}
+public:
+  ConvexCellGrid();
+  ~ConvexCellGrid();
+
+  /** `end`: where the last cell ends. */
+  void Allocate(const ConvexCellCursor& end);
+  /** To be written once. */
+  ConvexCellArrays GetArrays();
+
+  /** The cells without points; the same objects each time. Without polyhedra, the arrays become
+   *  the grid's. */
+  void FillCells(vtkUnstructuredGrid* output);
+  /** Data of the input's cells, and SourceCell. `plans`: by input cell. */
+  void FillCellData(
+    vtkCellData* input, const std::vector<ConvexCellPlan>& plans, vtkCellData* output) const;
+
+  /** How many cells each of the input's cells became. */
+  std::vector<int> CountBySource(vtkIdType inputCells) const;
+
+private:
+  void MakeCells();
+
+  vtkNew<vtkUnsignedCharArray> Types;
+  vtkNew<vtkIdTypeArray> Offsets;
+  vtkNew<vtkIdTypeArray> Ids;
+  vtkNew<vtkIdTypeArray> SourceCells;
+  vtkSmartPointer<vtkUnstructuredGrid> Cells;
+};
 
 #endif

@@ -26,6 +26,7 @@ struct ConvexCellPlan
     WrongList, // a polyhedron with a face list that does not fit
     OtherType, // not a shape that is handled here
     Ghost,     // the rest is refused before it gets here, by the owner of the mesh
+    Hidden,    // blanked
     NonFinite,
     Imaginary, // sorts, but has nothing to draw
     Invalid
@@ -34,6 +35,8 @@ struct ConvexCellPlan
   bool Inverted = false;
   bool Folded = false;
   bool NonConvex = false;   // and cut for that
+  bool Star = false;        // cut from a point within
+  bool Replaced = false;    // curved, or next to a curved cell, and cut for that
   int Apex = -1;            // the corner that the tetrahedra share, where it is not the usual one
   int Dropped = 0;          // pieces without a volume
   std::uint32_t Kept = 0;   // bit i: piece i of the split has a volume

@@ -1,5 +1,8 @@
 #include "ConvexCellReader.h"
 
+#include "ConvexCellPoints.h"
+#include "CurvedCell.h"
+#include "PointSetFaces.h"
 #include "PolyhedronSurface.h"
 #include "VTKVersions.h"
 
@@ -9,10 +12,12 @@
 #include "vtkGenericCell.h"
 #include "vtkIdList.h"
 #include "vtkNew.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace
@@ -94,11 +99,15 @@ void ConvexCellReader::CopyCells()
     }
     this->Grid->InsertNextCell(type, list);
   }
+  this->Grid->SetPoints(this->Input->GetPoints());
+  this->Grid->GetPointData()->ShallowCopy(this->Input->GetPointData());
+  this->Grid->GetCellData()->ShallowCopy(this->Input->GetCellData());
 }
 
 void ConvexCellReader::Close()
 {
-  this->Grid = nullptr;
+  // What cannot be read by threads cannot be read again.
+  this->Grid = this->Grid == this->Input ? nullptr : this->Grid.Get();
   this->Input = nullptr;
 }
 
@@ -115,17 +124,22 @@ bool ConvexCellReader::HasSameTypes(vtkUnstructuredGridBase* input) const
 
 ConvexCellPlan::FateType ConvexCellReader::Refuse(vtkIdType cell) const
 {
-  constexpr int ghostBits = vtkDataSetAttributes::DUPLICATECELL | vtkDataSetAttributes::HIDDENCELL;
   if (this->ImaginaryCells && this->ImaginaryCells[cell] == 1)
   {
     return ConvexCellPlan::Imaginary;
   }
-  const bool isGhost = this->GhostCells && (this->GhostCells[cell] & ghostBits);
-  return isGhost ? ConvexCellPlan::Ghost : ConvexCellPlan::Whole;
+  const int bits = this->GhostCells ? this->GhostCells[cell] : 0;
+  return bits & vtkDataSetAttributes::DUPLICATECELL ? ConvexCellPlan::Ghost
+         : bits & vtkDataSetAttributes::HIDDENCELL  ? ConvexCellPlan::Hidden
+                                                    : ConvexCellPlan::Whole;
 }
 
 bool ConvexCellReader::ShapeOf(int cellType, Shape& shape)
 {
+  if (CurvedCell::TwinOf(cellType, shape))
+  {
+    return true;
+  }
   switch (cellType)
   {
     case VTK_TETRA:
@@ -156,8 +170,11 @@ bool ConvexCellReader::ReadIds(vtkIdType cell, Shape shape, const std::vector<vt
   vtkIdList* list, vtkIdType* ids) const
 {
   const int count = TetrahedralSplit::NumberOfVertices(shape);
+  Shape twin;
+  const int type = this->Types[cell];
   this->Grid->GetCells()->GetCellAtId(cell, list);
-  if (list->GetNumberOfIds() != count)
+  const vtkIdType more = list->GetNumberOfIds() - count;
+  if (more < 0 || (more > 0 && !CurvedCell::TwinOf(type, twin)))
   {
     return false;
   }
@@ -170,7 +187,7 @@ bool ConvexCellReader::ReadIds(vtkIdType cell, Shape shape, const std::vector<vt
     }
     ids[i] = canonical[id];
   }
-  if (this->Types[cell] == VTK_VOXEL)
+  if (type == VTK_VOXEL)
   {
     std::swap(ids[2], ids[3]);
     std::swap(ids[6], ids[7]);
@@ -178,14 +195,71 @@ bool ConvexCellReader::ReadIds(vtkIdType cell, Shape shape, const std::vector<vt
   return true;
 }
 
-bool ConvexCellReader::ReadSurface(vtkIdType cell, const std::vector<vtkIdType>& canonical,
-  vtkIdList* list, PolyhedronSurface& surface) const
+bool ConvexCellReader::ReadAllIds(vtkIdType cell, const std::vector<vtkIdType>& canonical,
+  vtkIdList* list, std::vector<vtkIdType>& ids) const
 {
-  if (!HasFaceStream(this->Grid, cell, list))
+  this->Grid->GetCells()->GetCellAtId(cell, list);
+  ids.assign(list->begin(), list->end());
+  for (vtkIdType& id : ids)
   {
-    return false;
+    if (id < 0 || id >= static_cast<vtkIdType>(canonical.size()))
+    {
+      return false;
+    }
+    id = canonical[id];
   }
-  this->Grid->GetFaceStream(cell, list);
+  return true;
+}
+
+ConvexCellPlan::FateType ConvexCellReader::ReadSurface(vtkIdType cell,
+  const ConvexCellPoints& points, vtkIdList* list, PolyhedronSurface& surface) const
+{
+  const std::vector<vtkIdType>& canonical = points.GetCanonical();
+  auto otherwise = ConvexCellPlan::WrongList;
+  if (this->Types[cell] == VTK_CONVEX_POINT_SET)
+  {
+    const ConvexCellPlan::FateType fate = this->ListHull(cell, points, list);
+    if (fate != ConvexCellPlan::Whole)
+    {
+      return fate;
+    }
+    otherwise = ConvexCellPlan::ZeroVolume;
+  }
+  else if (HasFaceStream(this->Grid, cell, list))
+  {
+    this->Grid->GetFaceStream(cell, list);
+  }
+  else
+  {
+    return otherwise;
+  }
+  const std::vector<vtkIdType>& ids = surface.GetIds();
   return surface.Read(list->GetPointer(0), list->GetNumberOfIds(), canonical.data(),
-    static_cast<vtkIdType>(canonical.size()));
+           static_cast<vtkIdType>(canonical.size()))
+           ? ConvexCellPoints::FateOf(ids.data(), static_cast<vtkIdType>(ids.size()))
+           : otherwise;
+}
+
+ConvexCellPlan::FateType ConvexCellReader::ListHull(
+  vtkIdType cell, const ConvexCellPoints& points, vtkIdList* list) const
+{
+  std::vector<vtkIdType> ids;
+  if (!this->ReadAllIds(cell, points.GetCanonical(), list, ids))
+  {
+    return ConvexCellPlan::Invalid;
+  }
+  const auto fate = ConvexCellPoints::FateOf(ids.data(), static_cast<vtkIdType>(ids.size()));
+  if (fate != ConvexCellPlan::Whole)
+  {
+    return fate;
+  }
+  std::sort(ids.begin(), ids.end());
+  ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+  std::vector<double> coordinates(3 * ids.size());
+  for (std::size_t i = 0; i < ids.size(); ++i)
+  {
+    points.Get(ids[i], &coordinates[3 * i]);
+  }
+  PointSetFaces::List(ids, coordinates, list);
+  return ConvexCellPlan::Whole;
 }

@@ -33,23 +33,6 @@ double SumVolumes(const PolyhedronSurface& surface, const double (*points)[3])
   return sum;
 }
 
-// Whole where it has a closed surface and a volume.
-ConvexCellPlan::FateType TurnOutward(PolyhedronSurface& surface, double (*points)[3])
-{
-  const ConvexCellPlan::FateType fate = FateOf(surface.Orient());
-  if (fate != ConvexCellPlan::Whole)
-  {
-    return fate;
-  }
-  TetrahedralSplit::ScaleIfExtreme(points, surface.GetSolid().NumberOfVertices);
-  const double volume = SumVolumes(surface, points);
-  if (volume < 0.0)
-  {
-    surface.Turn();
-  }
-  return volume == 0.0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Whole;
-}
-
 // visit(a, b, c, hasVolume)
 template <typename Visit>
 void VisitPieces(const PolyhedronSurface& surface, const double (*points)[3], int apex, Visit visit)
@@ -69,7 +52,6 @@ void PlanPieces(const PolyhedronSurface& surface, const double (*points)[3], Con
   if (plan.Apex < 0)
   {
     plan.Fate = ConvexCellPlan::Concave;
-    plan.NonConvex = false;
     return;
   }
   plan.Fate = ConvexCellPlan::Tetrahedra;
@@ -95,6 +77,22 @@ void WriteWhole(const Solid& solid, const vtkIdType* named, const ConvexCellArra
     }
   }
 }
+}
+
+ConvexCellPlan::FateType TurnOutward(PolyhedronSurface& surface, double (*points)[3])
+{
+  const ConvexCellPlan::FateType fate = FateOf(surface.Orient());
+  if (fate != ConvexCellPlan::Whole)
+  {
+    return fate;
+  }
+  TetrahedralSplit::ScaleIfExtreme(points, surface.GetSolid().NumberOfVertices);
+  const double volume = SumVolumes(surface, points);
+  if (volume < 0.0)
+  {
+    surface.Turn();
+  }
+  return volume == 0.0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Whole;
 }
 
 ConvexCellPlan PlanPolyhedron(

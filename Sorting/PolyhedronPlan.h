@@ -19,6 +19,10 @@
 ConvexCellPlan PlanPolyhedron(
   PolyhedronSurface& surface, double (*points)[3], ConvexCellCut cut, ConvexCellCursor& cursor);
 
+/** Orients the surface outward. Whole where it is closed and has a volume; `points` may be scaled
+ *  here. */
+ConvexCellPlan::FateType TurnOutward(PolyhedronSurface& surface, double (*points)[3]);
+
 /** `surface` and `points` as for PlanPolyhedron. `outputIds`, by id, names the points in the output
  *  (null: the same). */
 void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, double (*points)[3],

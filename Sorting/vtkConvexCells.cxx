@@ -5,11 +5,13 @@
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
+#include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkInformationVector.h"
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -41,7 +43,12 @@ bool RunInSteps(vtkAlgorithm* filter, vtkIdType count, double from, double to, S
 }
 }
 
-vtkConvexCells::vtkConvexCells() = default;
+vtkConvexCells::vtkConvexCells()
+{
+  this->SetInputArrayToProcess(
+    0, 0, 0, vtkDataObject::FIELD_ASSOCIATION_POINTS, vtkDataSetAttributes::SCALARS);
+}
+
 vtkConvexCells::~vtkConvexCells() = default;
 
 int vtkConvexCells::FillInputPortInformation(int, vtkInformation* info)
@@ -60,7 +67,8 @@ int vtkConvexCells::RequestData(
     vtkErrorMacro("The input is no vtkUnstructuredGridBase: connect an unstructured grid.");
     return 0;
   }
-  const std::vector<vtkMTimeType> sources = this->FindSources(input);
+  const bool curved = this->Last && this->Last->HasCurvedCells();
+  const std::vector<vtkMTimeType> sources = this->FindSources(input, curved);
   if (this->HasKeptCells(input, sources))
   {
     this->LastSources = sources;
@@ -69,15 +77,17 @@ int vtkConvexCells::RequestData(
     return 1;
   }
   this->TakeCounts(ConvexCellCounts{});
+  this->Report->Initialize();
   this->Last = nullptr;
   auto conversion = std::make_unique<ConvexCellConversion>(input, this->TetrahedraOnly);
-  if (this->Convert(*conversion))
+  if (this->Convert(*conversion, input))
   {
     conversion->FillOutput(output);
     this->TakeCounts(conversion->Count());
+    conversion->Report(this->Report);
     conversion->ReleaseWorkingMemory();
     this->Last = std::move(conversion);
-    this->LastSources = sources;
+    this->LastSources = this->FindSources(input, this->Last->HasCurvedCells());
     this->UpdateProgress(1.0);
   }
   return 1;
@@ -97,11 +107,18 @@ bool vtkConvexCells::HasKeptCells(
   return samePoints || (sameCells && this->KeepCells && this->Last->SharesPointsOf(input));
 }
 
-bool vtkConvexCells::Convert(ConvexCellConversion& conversion)
+bool vtkConvexCells::Convert(ConvexCellConversion& conversion, vtkUnstructuredGridBase* input)
 {
   conversion.ReadCells();
   this->UpdateProgress(0.05);
   conversion.MergePoints();
+  this->UpdateProgress(0.1);
+  if (conversion.HasCurvedCells() &&
+      !conversion.RefineCurvedCells(
+        this->FindFollowedArrays(input), this->Tolerance, [this] { return !IsAborted(this); }))
+  {
+    return false;
+  }
   this->UpdateProgress(0.2);
   const auto plan = [&](vtkIdType begin, vtkIdType end) { conversion.PlanBlocks(begin, end); };
   const auto write = [&](vtkIdType begin, vtkIdType end) { conversion.WriteBlocks(begin, end); };
@@ -114,7 +131,32 @@ bool vtkConvexCells::Convert(ConvexCellConversion& conversion)
   return RunInSteps(this, blocks, 0.5, 0.8, write);
 }
 
-std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* input) const
+std::vector<vtkDataArray*> vtkConvexCells::FindFollowedArrays(vtkUnstructuredGridBase* input)
+{
+  int association = -1;
+  vtkDataArray* chosen = this->GetInputArrayToProcess(0, input, association);
+  if (chosen)
+  {
+    const bool fits = association == vtkDataObject::FIELD_ASSOCIATION_POINTS &&
+                      chosen->GetNumberOfTuples() == input->GetNumberOfPoints();
+    return fits ? std::vector<vtkDataArray*>{ chosen } : std::vector<vtkDataArray*>{};
+  }
+  std::vector<vtkDataArray*> arrays;
+  vtkPointData* data = input->GetPointData();
+  for (int i = 0; i < data->GetNumberOfArrays(); ++i)
+  {
+    vtkDataArray* array = data->GetArray(i);
+    const bool isReal =
+      array && (array->GetDataType() == VTK_FLOAT || array->GetDataType() == VTK_DOUBLE);
+    if (isReal && array->GetNumberOfTuples() == input->GetNumberOfPoints())
+    {
+      arrays.push_back(array);
+    }
+  }
+  return arrays;
+}
+
+std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* input, bool curved)
 {
   std::vector<vtkMTimeType> times = { this->TetrahedraOnly };
   const auto add = [&times](vtkObject* source)
@@ -136,6 +178,16 @@ std::vector<vtkMTimeType> vtkConvexCells::FindSources(vtkUnstructuredGridBase* i
   add(input->GetPointData()->GetArray(ghosts));
   add(input->GetCellData()->GetArray(ghosts));
   add(input->GetCellData()->GetArray("Imaginary"));
+  if (curved)
+  {
+    add(input->GetCellData()->GetArray("HigherOrderDegrees"));
+    add(input->GetPointData()->GetArray("RationalWeights"));
+    for (vtkDataArray* array : this->FindFollowedArrays(input))
+    {
+      add(array);
+    }
+    times.push_back(static_cast<vtkMTimeType>(1e9 * this->Tolerance));
+  }
   // Last, for they alone may move: NumberOfPointSources.
   vtkPoints* points = input->GetPoints();
   add(points);
@@ -160,6 +212,7 @@ void vtkConvexCells::TakeCounts(const ConvexCellCounts& counts)
   this->NumberOfImaginaryCells = counts.ImaginaryCells;
   this->NumberOfConcaveCells = counts.ConcaveCells;
   this->NumberOfInvalidCells = counts.InvalidCells;
+  this->NumberOfCoarseCells = counts.CoarseCells;
   this->LeftOutSummary = counts.LeftOutSummary;
 }
 
@@ -168,6 +221,7 @@ void vtkConvexCells::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "TetrahedraOnly: " << (this->TetrahedraOnly ? "On" : "Off") << "\n"
      << indent << "KeepCells: " << (this->KeepCells ? "On" : "Off") << "\n"
+     << indent << "Tolerance: " << this->Tolerance << "\n"
      << indent << "NumberOfMergedPoints: " << this->NumberOfMergedPoints << "\n"
      << indent << "NumberOfDegenerateCells: " << this->NumberOfDegenerateCells << "\n"
      << indent << "NumberOfDroppedTetrahedra: " << this->NumberOfDroppedTetrahedra << "\n"

@@ -2,9 +2,10 @@
  * @class   vtkConvexCells
  * @brief   any cells to convex cells or to conforming tetrahedra
  *
- * Takes tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal prisms and
- * polyhedra of any unstructured grid, in any numbering and winding, and gives cells that the rest
- * of this module can rely on: coincident points are one point, every cell has a volume and faces
+ * Takes every three-dimensional cell of any unstructured grid, in any numbering and winding:
+ * tetrahedra, voxels, hexahedra, wedges, pyramids, pentagonal and hexagonal prisms, convex point
+ * sets, polyhedra, and the quadratic, Lagrange and Bezier cells. It gives cells that the rest of
+ * this module can rely on: coincident points are one point, every cell has a volume and faces
  * outward by VTK's convention.
  *
  * - Default: cells that are convex go out as they are, voxels as hexahedra; those that are not, and
@@ -22,9 +23,24 @@
  * whole. Tetrahedra and voxels are not tested.
  *
  * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners
- * where one sees the whole surface; the triangles of its faces stay as they are. If there is none,
- * it is counted as folded and its tetrahedra, all turned positive, overlap; a polyhedron is left
- * out as concave instead. A face that is not convex must be seen whole from its smallest id, too.
+ * where one sees the whole surface, or else from a point within that does (the centre of the
+ * largest ball between the planes of its faces' triangles; its data by mean value coordinates); the
+ * triangles of its faces stay as they are. If there is none, it is counted as folded and its
+ * tetrahedra, all turned positive, overlap; a polyhedron is left out as concave instead. A face
+ * that is not convex must be seen whole from its smallest id, too.
+ *
+ * Curved cells, which are the quadratic, Lagrange (of degree 10 at most) and Bezier ones: the
+ * linear twin, of the same corners, is split as above; then edges of the tetrahedra that are off
+ * by more than Tolerance are halved at points of the curved cell, by VTK's shape functions, and
+ * tetrahedra at their halved edges, until none is off. Off means: from the curve or surface by more
+ * than Tolerance times the diagonal of the mesh, or in the data by more than Tolerance times their
+ * range. The data are the array to process (SetInputArrayToProcess; the active point scalars unless
+ * one is named), or all point arrays of floating-point numbers where there is no such array. An edge
+ * is halved for all of its cells alike, straight ones too, so that there are no cracks. Where
+ * nothing is off a curved cell goes out as its linear twin. Global ids of points are dropped where
+ * points are added.
+ *
+ * A convex point set is the polyhedron of its convex hull; triangles in one plane make one face.
  *
  * Polyhedra: each face may be wound either way; points that a face repeats in a row are taken once.
  * Left out are those of which a list of faces has a wrong length, names a point that does not exist
@@ -41,18 +57,18 @@
  * the input's cell. (An input array of that name is replaced. Global ids of cells are carried, but
  * no longer marked as such once cells are split.)
  *
- * Left out and counted, without a warning: cells of dimension 0 to 2, types not listed above
- * (vtkDataSetTriangleFilter makes tetrahedra of quadratic and higher-order cells and of convex
- * point sets), ghost cells (vtkGhostType DUPLICATECELL or HIDDENCELL, or a HIDDENPOINT), cells that
- * touch a point that is not finite, cells whose point list does not fit their type or names a point
- * that does not exist. GetLeftOutSummary() says it in one line. Nothing in the input is an error:
- * empty gives empty. An aborted update leaves the output empty.
+ * Left out and counted, without a warning: cells of dimension 0 to 2, unknown types, ghost and
+ * blanked cells (vtkGhostType DUPLICATECELL or HIDDENCELL, or a HIDDENPOINT), cells that touch a
+ * point that is not finite, cells whose point list does not fit their type or names a point that
+ * does not exist. GetLeftOutSummary() says it in one line, GetReport() in a table. Nothing in the
+ * input is an error: empty gives empty. An aborted update leaves the output empty.
  *
  * Cells whose cell array `Imaginary` (unsigned char) is 1 fill gaps for a sort and have nothing to
  * draw: they and that array are left out, and counted apart.
  *
  * Where only data change and points and cells do not, the output keeps its points and cells: their
- * GetMTime() says whether the geometry is new.
+ * GetMTime() says whether the geometry is new. (With curved cells the data that are followed count
+ * as geometry.)
  *
  * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
  * different data are not told apart: the smallest id wins. A flat tetrahedron that is dropped can
@@ -64,6 +80,7 @@
 #define vtkConvexCells_h
 
 #include "vtkCellProjectionModule.h" // for export macro
+#include "vtkNew.h" // for the report
 #include "vtkUnstructuredGridAlgorithm.h"
 
 #include <memory> // for std::unique_ptr
@@ -72,6 +89,8 @@
 
 class ConvexCellConversion;
 struct ConvexCellCounts;
+class vtkDataArray;
+class vtkTable;
 class vtkUnstructuredGridBase;
 
 class VTKCELLPROJECTION_EXPORT vtkConvexCells : public vtkUnstructuredGridAlgorithm
@@ -101,7 +120,28 @@ public:
   vtkBooleanMacro(KeepCells, bool);
   ///@}
 
+  ///@{
+  /**
+   * How far curved cells may be off, as a share of the mesh's diagonal and of the data's range.
+   * Halving ends at 1/256 of a cell, or where it is in 20,000 pieces. Default: 0.001.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-7, 1.0);
+  vtkGetMacro(Tolerance, double);
+  ///@}
+
   // === What the last update did ===
+
+  /**
+   * What became of the cells: one row for each type of cell and reason, with the columns `type`
+   * (VTK's class), `in` (cells), `out` (cells that they became), `dropped` (cells that became none)
+   * and `why` (empty where they went out as they were).
+   */
+  vtkTable* GetReport() { return this->Report; }
+
+  /**
+   * Curved cells that are still off by more than Tolerance.
+   */
+  vtkGetMacro(NumberOfCoarseCells, vtkIdType);
 
   /**
    * Points that gave way to another point at the same coordinates.
@@ -125,7 +165,7 @@ public:
   vtkGetMacro(NumberOfInvertedCells, vtkIdType);
 
   /**
-   * Cells that were split into tetrahedra of both signs, for want of a better corner.
+   * Cells that were split into tetrahedra of both signs: no point sees all of them.
    */
   vtkGetMacro(NumberOfFoldedCells, vtkIdType);
 
@@ -152,7 +192,7 @@ public:
   vtkGetMacro(NumberOfLowerDimensionalCells, vtkIdType);
 
   /**
-   * Three-dimensional cells of types that are not taken, and unknown types.
+   * Cells of types that are unknown.
    */
   vtkGetMacro(NumberOfUnsupportedCells, vtkIdType);
 
@@ -172,7 +212,7 @@ public:
   vtkGetMacro(NumberOfImaginaryCells, vtkIdType);
 
   /**
-   * Polyhedra that no corner sees all of.
+   * Polyhedra that no point sees all of.
    */
   vtkGetMacro(NumberOfConcaveCells, vtkIdType);
 
@@ -202,13 +242,15 @@ private:
   void operator=(const vtkConvexCells&) = delete;
 
   void TakeCounts(const ConvexCellCounts& counts);
-  bool Convert(ConvexCellConversion& conversion);
-  std::vector<vtkMTimeType> FindSources(vtkUnstructuredGridBase* input) const;
+  bool Convert(ConvexCellConversion& conversion, vtkUnstructuredGridBase* input);
+  std::vector<vtkDataArray*> FindFollowedArrays(vtkUnstructuredGridBase* input);
+  std::vector<vtkMTimeType> FindSources(vtkUnstructuredGridBase* input, bool curved);
 
   bool HasKeptCells(vtkUnstructuredGridBase* input, const std::vector<vtkMTimeType>& sources) const;
 
   bool TetrahedraOnly = false;
   bool KeepCells = false;
+  double Tolerance = 1e-3;
 
   vtkIdType NumberOfMergedPoints = 0;
   vtkIdType NumberOfDegenerateCells = 0;
@@ -225,7 +267,9 @@ private:
   vtkIdType NumberOfImaginaryCells = 0;
   vtkIdType NumberOfConcaveCells = 0;
   vtkIdType NumberOfInvalidCells = 0;
+  vtkIdType NumberOfCoarseCells = 0;
   std::string LeftOutSummary;
+  vtkNew<vtkTable> Report;
 
   // The last conversion, and what its geometry was made from.
   std::unique_ptr<ConvexCellConversion> Last;

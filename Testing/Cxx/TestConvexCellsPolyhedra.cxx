@@ -133,7 +133,7 @@ void TestConcave(const std::vector<vtkIdType>& names, bool seen)
     CHECK_EQUAL(filter->GetNumberOfSkippedCells(), seen ? 0 : 1);
     CHECK(Near(TotalVolume(filter->GetOutput()), seen ? 3.0 : 0.0));
     CHECK(seen || filter->GetLeftOutSummary() ==
-                    "cells left out: 1 vtkPolyhedron (concave: no corner sees all of it)");
+                    "cells left out: 1 vtkPolyhedron (concave: no point sees all of it)");
   }
 }
 

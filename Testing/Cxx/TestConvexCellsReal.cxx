@@ -25,7 +25,7 @@ struct Expectation
 // The crushed can is dented; the hexagons of PentaHexa are warped by 0.7 % of their size, some of
 // its pentagons by 2e-6.
 const Expectation Expectations[] = { { "bluntFin", 37479, 0, 39, 0 }, { "comb", 43008, 2, 0, 0 },
-  { "post", 102675, 0, 0, 0 }, { "diskOut", 7472, 0, 0, 0 }, { "can", 4800, 703, 0, 34 },
+  { "post", 102675, 0, 0, 0 }, { "diskOut", 7472, 0, 0, 0 }, { "can", 4800, 703, 0, 33 },
   { "fire", 10462, 0, 0, 0 }, { "hexa", 10648, 0, 0, 0 }, { "PentaHexa", 210, 120, 42, 0 } };
 
 vtkSmartPointer<vtkUnstructuredGrid> ReadMesh(const std::string& name)

@@ -1,0 +1,210 @@
+#include "StarCell.h"
+
+#include "vtkCellArray.h"
+#include "vtkDoubleArray.h"
+#include "vtkMath.h"
+#include "vtkMeanValueCoordinatesInterpolator.h"
+#include "vtkNew.h"
+#include "vtkPoints.h"
+
+#include <cmath>
+
+namespace
+{
+using StarCell::Point;
+using TetrahedralSplit::Solid;
+
+struct Plane
+{
+  double Normal[3]; // outward, of length 1
+  double Offset;
+};
+
+// Twice the area times the normal, outward.
+void CrossOf(const double a[3], const double b[3], const double c[3], double sign, double cross[3])
+{
+  double u[3], v[3];
+  vtkMath::Subtract(b, a, u);
+  vtkMath::Subtract(c, a, v);
+  vtkMath::Cross(u, v, cross);
+  vtkMath::MultiplyScalar(cross, sign);
+}
+
+/** The largest ball between planes that enclose a bounded space of size 1. */
+class LargestBall
+{
+public:
+  explicit LargestBall(std::vector<Plane> planes)
+    : Planes(std::move(planes))
+  {
+    double nearest = 0.0;
+    for (const Plane& plane : this->Planes)
+    {
+      nearest = std::min(nearest, plane.Offset);
+    }
+    this->X[3] = nearest - 1.0;
+  }
+
+  void Solve();
+  double GetRadius() const { return this->X[3]; }
+  const double* GetCentre() const { return this->X; }
+
+private:
+  double Gap(const Plane& plane, const double x[4]) const
+  {
+    return plane.Offset - vtkMath::Dot(plane.Normal, x) - x[3];
+  }
+  double Value(const double x[4], double pull) const;
+  bool Step(double pull);
+
+  std::vector<Plane> Planes;
+  double X[4] = { 0, 0, 0, 0 }; // centre and radius
+};
+
+// Infinite outside.
+double LargestBall::Value(const double x[4], double pull) const
+{
+  double value = -pull * x[3];
+  for (const Plane& plane : this->Planes)
+  {
+    const double gap = this->Gap(plane, x);
+    value -= gap > 0.0 ? std::log(gap) : -VTK_DOUBLE_MAX;
+  }
+  return value;
+}
+
+// One of Newton's; false where it gains nothing.
+bool LargestBall::Step(double pull)
+{
+  double rows[4][4] = {}, down[4] = { 0, 0, 0, pull };
+  double* matrix[4] = { rows[0], rows[1], rows[2], rows[3] };
+  for (const Plane& plane : this->Planes)
+  {
+    const double gap = this->Gap(plane, this->X);
+    const double slope[4] = { plane.Normal[0] / gap, plane.Normal[1] / gap, plane.Normal[2] / gap,
+      1.0 / gap };
+    for (int i = 0; i < 4; ++i)
+    {
+      down[i] -= slope[i];
+      for (int j = 0; j < 4; ++j)
+      {
+        rows[i][j] += slope[i] * slope[j];
+      }
+    }
+  }
+  double gain = 0.0;
+  double along[4] = { down[0], down[1], down[2], down[3] };
+  if (!vtkMath::SolveLinearSystem(matrix, along, 4))
+  {
+    return false;
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    gain += along[i] * down[i];
+  }
+  const double before = this->Value(this->X, pull);
+  for (double step = 1.0; gain > 1e-9 && step > 1e-9; step *= 0.5)
+  {
+    double x[4];
+    for (int i = 0; i < 4; ++i)
+    {
+      x[i] = this->X[i] + step * along[i];
+    }
+    if (this->Value(x, pull) < before - 0.1 * step * gain)
+    {
+      std::copy_n(x, 4, this->X);
+      return true;
+    }
+  }
+  return false;
+}
+
+void LargestBall::Solve()
+{
+  for (double pull = 1.0; pull < 1e7 * static_cast<double>(this->Planes.size()); pull *= 10.0)
+  {
+    for (int step = 0; step < 50 && this->Step(pull); ++step)
+    {
+    }
+  }
+}
+
+// In coordinates about `middle` and of size 1.
+std::vector<Plane> FindPlanes(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
+  double sign, const double middle[3], double size)
+{
+  std::vector<Plane> planes;
+  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  {
+    TetrahedralSplit::VisitTriangles(solid, face, ids,
+      [&](int a, int b, int c)
+      {
+        Plane plane;
+        double arm[3];
+        CrossOf(points[a], points[b], points[c], sign, plane.Normal);
+        vtkMath::Subtract(points[a], middle, arm);
+        if (vtkMath::Normalize(plane.Normal) > 1e-12 * size * size)
+        {
+          plane.Offset = vtkMath::Dot(plane.Normal, arm) / size;
+          planes.push_back(plane);
+        }
+      });
+  }
+  return planes;
+}
+}
+
+bool StarCell::FindKernel(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
+  double sign, Point& kernel)
+{
+  const double size = TetrahedralSplit::SizeOf(points, solid.NumberOfVertices);
+  double middle[3] = { 0, 0, 0 };
+  for (int i = 0; i < 3 * solid.NumberOfVertices; ++i)
+  {
+    middle[i % 3] += points[i / 3][i % 3] / solid.NumberOfVertices;
+  }
+  LargestBall ball(FindPlanes(solid, ids, points, sign, middle, size));
+  ball.Solve();
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    kernel[axis] = middle[axis] + size * ball.GetCentre()[axis];
+  }
+  return ball.GetRadius() > 0.0;
+}
+
+bool StarCell::SeesAll(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
+  double sign, const Point& kernel)
+{
+  const double size = TetrahedralSplit::SizeOf(points, solid.NumberOfVertices);
+  bool all = true, any = false;
+  VisitPieces(solid, ids, points, sign, kernel,
+    [&](int a, int b, int c, bool hasVolume)
+    {
+      double cross[3];
+      CrossOf(points[a], points[b], points[c], 1.0, cross);
+      all = all && (hasVolume || !(vtkMath::Norm(cross) > 1e-12 * size * size));
+      any = any || hasVolume;
+    });
+  return all && any;
+}
+
+std::vector<double> StarCell::FindWeights(
+  const Solid& solid, const vtkIdType* ids, const double (*points)[3], const Point& kernel)
+{
+  vtkNew<vtkPoints> corners;
+  corners->SetDataTypeToDouble();
+  for (int vertex = 0; vertex < solid.NumberOfVertices; ++vertex)
+  {
+    corners->InsertNextPoint(points[vertex]);
+  }
+  vtkNew<vtkCellArray> triangles;
+  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  {
+    TetrahedralSplit::VisitTriangles(solid, face, ids,
+      [&](int a, int b, int c) { triangles->InsertNextCell({ a, b, c }); });
+  }
+  std::vector<double> weights(solid.NumberOfVertices);
+  vtkMeanValueCoordinatesInterpolator::ComputeInterpolationWeights(
+    kernel.data(), corners, triangles, weights.data());
+  return weights;
+}
