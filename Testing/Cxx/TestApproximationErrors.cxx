@@ -35,7 +35,7 @@ void CheckErrors(TestChecks& checks, bool spiky)
     { Mapper::UNIFORM_THICKNESS_2, "UniformThickness2", { 0.05, 0.07 }, { 0.09, 0.125 } },
     { Mapper::CENTROID, "Centroid", { 0.05, 0.07 }, { 0.085, 0.12 } },
   };
-  TestScene scene;
+  TestScene scene(64, 64);
   scene.SetGrid(TestMeshes::Delaunay(1000));
   if (spiky)
   {

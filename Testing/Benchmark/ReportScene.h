@@ -1,0 +1,73 @@
+#ifndef ReportScene_h
+#define ReportScene_h
+
+#include "CellComplex.h"
+#include "ReportMeshes.h"
+#include "ReportMethods.h"
+#include "ReportRow.h"
+
+#include "vtkSmartPointer.h"
+
+#include <map>
+#include <string>
+
+class BenchmarkScene;
+class vtkCellProjectionOracle;
+class vtkImageData;
+class vtkUnstructuredGrid;
+class vtkUnstructuredGridVolumeMapper;
+class vtkVisibilitySort;
+
+/// One mesh under one transfer function and light: what each method takes for it and gets wrong.
+class ReportScene
+{
+public:
+  struct Settings
+  {
+    int Frames = 9;
+    int ImageSize = 512;
+    // The oracle visits every cell for every pixel: a smaller picture of the same view will do.
+    int ErrorSize = 96;
+    // After this many a row may be out of time.
+    int LeastFrames = 3;
+  };
+
+  ReportScene(const ReportMeshes::Mesh& mesh, const Settings& settings);
+
+  /// "smooth" or "spiky"; "unlit" or "lit".
+  void SetLook(const std::string& transfer, const std::string& light);
+
+  /// False, and nothing measured, where the method does not draw this light or engine here. Frames
+  /// that begin after `seconds` are left out.
+  bool Measure(const ReportMethods::Method& method, double seconds, ReportRow& row);
+
+private:
+  using Mapper = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
+  vtkUnstructuredGrid* GetInput(const ReportMethods::Method& method);
+  void SetProperty(BenchmarkScene& scene);
+  bool MeasureError(const ReportMethods::Method& method, ReportRow& row);
+  void MeasureSpeed(const ReportMethods::Method& method, double seconds, ReportRow& row);
+  bool IsDrawn(const ReportMethods::Method& method, vtkUnstructuredGridVolumeMapper* mapper,
+    const std::string& warnings);
+  vtkCellProjectionOracle* GetOracle(
+    const ReportMethods::Method& method, int blendMode, BenchmarkScene& scene);
+  long long CountMisordered(vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene);
+  long long CountMisordered(vtkVisibilitySort* sort, BenchmarkScene& scene);
+  void CompareWithShirleyTuchman(
+    const ReportMethods::Method& method, vtkImageData* image, ReportRow& row);
+
+  Settings With;
+  std::string Name;
+  std::string Transfer;
+  std::string Light;
+  vtkSmartPointer<vtkUnstructuredGrid> Whole;
+  vtkSmartPointer<vtkUnstructuredGrid> Convex;
+  vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
+  CellComplex Complex;
+  /// By blend mode and cells.
+  std::map<std::string, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
+  vtkSmartPointer<vtkImageData> ShirleyTuchman;
+  double Reference = 0.0;
+};
+
+#endif

@@ -1,0 +1,47 @@
+"""The report from end to end on a lattice of a few cells: every column is there and holds what it says."""
+
+import csv
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+COLUMNS = ("scene", "cells", "transfer", "light", "method", "setting", "engine", "sort", "blend", "frames", "median_ms",
+           "first_ms", "prepare_ms", "mcells_per_s", "ratio_to_vtk", "rmse", "p999", "maximum",
+           "share_above_half_level", "misordered_faces", "levels_to_shirley_tuchman")
+
+with tempfile.TemporaryDirectory() as name:
+    folder = pathlib.Path(name)
+    progress = subprocess.run([sys.argv[1], folder / "report.csv", "tiny"], check=True, text=True, capture_output=True)
+    with open(folder / "report.csv", newline="") as stream:
+        table = csv.DictReader(stream)
+        rows = list(table)
+        assert tuple(table.fieldnames) == COLUMNS, table.fieldnames
+    assert len(progress.stdout.splitlines()) == len(rows), progress.stdout
+    assert {(row["method"], row["transfer"]) for row in rows if row["light"] == "unlit"} == {
+        (method, transfer) for method in ("VTK projected tetrahedra", "Exact, Raster")
+        for transfer in ("smooth", "spiky")}
+    for row in rows:
+        assert row["scene"] == "lattice" and row["cells"] == "384" and row["frames"] == "3", row
+        median, speed = float(row["median_ms"]), float(row["mcells_per_s"])
+        assert abs(speed * median / 0.384 - 1.0) < 0.01, row
+        assert float(row["first_ms"]) > 0.0 and float(row["ratio_to_vtk"]) > 0.0, row
+        errors = [float(row[column]) for column in ("rmse", "p999", "maximum")]
+        assert errors == sorted(errors), row
+        assert 0.0 <= float(row["share_above_half_level"]) <= 1.0, row
+        if row["method"] == "Exact, Raster":
+            assert errors[2] < 1e-4 * (1.0 if row["light"] == "unlit" else 10.0), row
+            assert row["misordered_faces"] == "0" and float(row["prepare_ms"]) > 0.0, row
+        else:
+            assert errors[0] > 1e-3 and int(row["misordered_faces"]) > 0 and float(row["ratio_to_vtk"]) == 1.0, row
+
+    drawn = subprocess.run([sys.executable, ROOT / "Testing" / "Benchmark" / "report.py", folder], check=True, text=True,
+                           capture_output=True)
+    report = (folder / "report.md").read_text()
+    assert drawn.stdout.strip() == str(folder / "report.md"), drawn.stdout
+    assert (folder / "lattice.png").stat().st_size > 10000
+    # A line per row in the tables, each with its numbers.
+    for row in rows:
+        assert f"| {row['method']} | {row['engine']} | {row['sort']} | " in report, row
+        assert f"| {float(row['rmse']):.1e} | " in report, row
