@@ -5,6 +5,7 @@
 #include "FloatTarget.h"
 #include "OpaqueDepth.h"
 #include "PreparedVolume.h"
+#include "VolumePropertyReader.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkConvexCells.h"
 #include "vtkCellArray.h"
@@ -62,8 +63,8 @@ public:
   PreparedVolume Prepared;
   vtkMTimeType SeenCells = 0;
   std::array<vtkMTimeType, 2> SeenPoints{};
-  // What the transfer function was read from: another property may be older than the last one.
-  const void* SeenProperty = nullptr;
+  // What the transfer function was read from: the rest of a property may change without it.
+  VolumePropertyReader::Source SeenFunction;
   // What the scalars were built from.
   ScalarSource SeenSource;
 

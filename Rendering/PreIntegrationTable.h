@@ -17,8 +17,8 @@ class TransferFunction;
  * A lit table has the paper's twelve entries: ambient colour and extinction; diffuse colour by the
  * light at the front, and the weight w of the front's gradient in that of the highlight; diffuse
  * colour by the light at the back, and in place of the highlight's strength, which over the opacity
- * is 1 where one specular coefficient holds for all scalars, the spread of w: a highlight is the mean
- * of those at w - spread and w + spread. (The paper's text has the front at t = 1 and the weight of
+ * is 1 where one specular coefficient holds for all scalars, the spread of w: light is taken at
+ * w - spread and w + spread. (The paper's text has the front at t = 1 and the weight of
  * the first integral missing: here the front's weight is 1 - t.)
  *
  * Texels: Size x Size x Size / 4 x 4 floats, front scalar fastest: red, green, blue, extinction.

@@ -116,7 +116,8 @@ void SegmentIntegral::AddStep(const Piece& piece, double from, double to, double
   for (int i = 0; i < 3; ++i)
   {
     const double within = from + (to - from) * GaussNodes[i];
-    sum.Add(Mix(front, back, GaussNodes[i]), piece.Begin + within * piece.Share, scale * absorbed[i]);
+    const Value value = Mix(front, back, GaussNodes[i]);
+    sum.Add(value, piece.Begin + within * piece.Share, scale * absorbed[i]);
   }
   sum.Alpha += (1.0 - sum.Alpha) * alpha;
 }

@@ -21,8 +21,8 @@ public:
   /// Over the segment; the optical depth is this times its length.
   double GetMeanExtinction() const { return this->MeanExtinction; }
 
-  /// What reaches the eye of a segment, over its opacity: each is a mean over the segment weighted by
-  /// the emission that is not absorbed before.
+  /// What reaches the eye of a segment, over its opacity: means over the segment, weighted by the
+  /// absorption that is not hidden.
   struct Means
   {
     std::array<double, 3> Color{ { 0.0, 0.0, 0.0 } };

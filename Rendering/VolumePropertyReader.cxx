@@ -73,6 +73,17 @@ double VolumePropertyReader::CheckUnitDistance(std::vector<std::string>& problem
 }
 
 //------------------------------------------------------------------------------
+VolumePropertyReader::Source VolumePropertyReader::FindSource() const
+{
+  vtkObject* color = this->Property->GetColorChannels() == 1
+                       ? static_cast<vtkObject*>(this->Property->GetGrayTransferFunction())
+                       : this->Property->GetRGBTransferFunction();
+  vtkObject* opacity = this->Property->GetScalarOpacity();
+  return { color, opacity, std::max(color->GetMTime(), opacity->GetMTime()),
+    this->Property->GetScalarOpacityUnitDistance() };
+}
+
+//------------------------------------------------------------------------------
 std::array<double, 2> VolumePropertyReader::FindLimits() const
 {
   const std::vector<double> candidates = this->FindCandidates();

@@ -2,6 +2,7 @@
 #define VolumePropertyReader_h
 
 #include "TransferFunction.h"
+#include "vtkType.h"
 
 #include <array>
 #include <string>
@@ -17,6 +18,22 @@ class VolumePropertyReader
 {
 public:
   explicit VolumePropertyReader(vtkVolumeProperty* property);
+
+  /// What the transfer function is made of; equal sources make equal functions.
+  struct Source
+  {
+    const void* Color = nullptr;
+    const void* Opacity = nullptr;
+    vtkMTimeType Time = 0;
+    double UnitDistance = 0.0;
+
+    bool operator==(const Source& other) const
+    {
+      return this->Color == other.Color && this->Opacity == other.Opacity &&
+             this->Time == other.Time && this->UnitDistance == other.UnitDistance;
+    }
+  };
+  Source FindSource() const;
 
   /// Between these scalars the functions change; beyond they are constant.
   std::array<double, 2> FindLimits() const;

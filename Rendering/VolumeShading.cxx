@@ -50,7 +50,8 @@ void VolumeShading::PrepareGradients(const PreparedVolume& prepared,
     this->Gradients.SetCells(corners, points.size() / 4);
     this->LinksTime.Modified();
   }
-  if (this->GradientsTime < this->LinksTime || this->GradientsTime < prepared.ScalarsTime)
+  if (this->GradientsTime < this->LinksTime || this->GradientsTime < prepared.PointsTime ||
+      this->GradientsTime < prepared.ScalarsTime)
   {
     if (prepared.Scalars.OnePerCell)
     {

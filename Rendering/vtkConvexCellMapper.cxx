@@ -195,23 +195,21 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
 void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
-  vtkVolumeProperty* property = frame.Volume->GetProperty();
   PreparedVolume& prepared = this->Internal->Prepared;
-  const vtkMTimeType built = prepared.FunctionTime;
-  if (property == this->Internal->SeenProperty && built > property->GetMTime() &&
-      built > prepared.ScalarsTime)
+  VolumePropertyReader reader(frame.Volume->GetProperty());
+  const VolumePropertyReader::Source source = reader.FindSource();
+  if (source == this->Internal->SeenFunction && prepared.FunctionTime > prepared.ScalarsTime)
   {
     return;
   }
   std::vector<std::string> problems;
-  VolumePropertyReader reader(property);
   reader.Read(prepared.Scalars.Normal, prepared.Scalars.Range, this->IsOpacityPerLength(),
     prepared.Function, problems);
   for (const std::string& text : problems)
   {
     this->WarnOnce(text);
   }
-  this->Internal->SeenProperty = property;
+  this->Internal->SeenFunction = source;
   prepared.FunctionTime.Modified();
 }
 

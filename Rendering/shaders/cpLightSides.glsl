@@ -1,5 +1,5 @@
-// What light makes of a colour, and the share at which it next changes its course along the way: the
-// gradient has turned, or a light passes from one side of it to the other.
+// What light makes of a colour, and the share at which it next changes its course along the way:
+// the gradient has turned, or a light passes from one side of it to the other.
 
 vec3 shade(vec3 colour, float share)
 {

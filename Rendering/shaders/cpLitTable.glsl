@@ -1,7 +1,7 @@
 // Light on a segment of a table. The paper takes the diffuse light at the segment's ends and one
-// highlight where the segment is seen most; here both are taken at two places, as far to either side
-// of there as the segment is seen deep: for light that is linear that is the same, for other light
-// it is exact up to the third power.
+// highlight where the segment is seen most; here both are taken at two places, as far to either
+// side of there as the segment is seen deep: for light that is linear that is the same, for other
+// light it is exact up to the third power.
 
 uniform sampler3D preIntegrationFront; // diffuse colour by the front's light; w
 uniform sampler3D preIntegrationBack;  // diffuse colour by the back's light; spread of w

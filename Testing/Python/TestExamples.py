@@ -9,7 +9,7 @@ import tempfile
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-NEED_DATA = ("01_render_a_file", "07_bucky_ball_and_blunt_fin", "09_ground_fog")
+NEED_DATA = ("01_render_a_file", "07_bucky_ball_and_blunt_fin", "09_ground_fog", "10_lit_bucky_ball")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 
