@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <fstream>
 
 namespace
 {
@@ -102,6 +103,24 @@ BenchmarkMesh LoadBenchmarkMesh(const std::string& folder)
 {
   const BenchmarkMesh hexahedra = LoadBenchmarkHexahedra(folder);
   return { hexahedra.Name, CutToTetrahedra(hexahedra.Grid) };
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkUnstructuredGrid> ReadBuckyBall(const std::string& folder)
+{
+  constexpr int size = 32;
+  vtkNew<vtkUnsignedCharArray> density;
+  density->SetName("density");
+  density->SetNumberOfValues(size * size * size);
+  std::ifstream file(folder + "/Bucky.raw", std::ios::binary);
+  if (!file.read(reinterpret_cast<char*>(density->GetPointer(0)), size * size * size))
+  {
+    return nullptr;
+  }
+  vtkNew<vtkImageData> image;
+  image->SetDimensions(size, size, size);
+  image->GetPointData()->SetScalars(density);
+  return Unstructured(image);
 }
 
 //------------------------------------------------------------------------------

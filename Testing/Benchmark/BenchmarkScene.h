@@ -26,6 +26,8 @@ struct BenchmarkMesh
 BenchmarkMesh LoadBenchmarkHexahedra(const std::string& folder);
 /// The same cut into tetrahedra.
 BenchmarkMesh LoadBenchmarkMesh(const std::string& folder);
+/// Bucky ball's voxels; null where `folder` does not have it.
+vtkSmartPointer<vtkUnstructuredGrid> ReadBuckyBall(const std::string& folder);
 vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid);
 
 /// A window that shows one volume through one mapper on black; a new eye for every frame.

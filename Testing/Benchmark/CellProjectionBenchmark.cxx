@@ -1,14 +1,16 @@
 // Mappers: ours and VTK's projected tetrahedra on the same mesh, views and transfer function,
 // frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
 // visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
-// Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra]]; the data's folder is in
-//   CELLPROJECTION_DATA
+// Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra. Simplification:
+// levels of a mesh, as CSV.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification]]; the data's
+//   folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
 #include "RealMeshes.h"
+#include "SimplificationBenchmark.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
 
@@ -156,6 +158,16 @@ void CompareCuts(int frames)
     }
   }
 }
+
+void CompareLevels(const BenchmarkMesh& mesh, const std::string& folder, int frames)
+{
+  SimplificationBenchmark::PrintHeader();
+  if (const auto bucky = ReadBuckyBall(folder))
+  {
+    SimplificationBenchmark("Bucky ball", CutToTetrahedra(bucky)).Run({ 0.02, 0.05, 0.1 }, frames);
+  }
+  SimplificationBenchmark(mesh.Name, mesh.Grid).Run({ 0.02, 0.04, 0.06 }, frames);
+}
 }
 
 int main(int argc, char* argv[])
@@ -180,6 +192,10 @@ int main(int argc, char* argv[])
   {
     const BenchmarkMesh hexahedra = LoadBenchmarkHexahedra(folder ? folder : "");
     HexahedraBenchmark(hexahedra.Name, hexahedra.Grid).Run(frames);
+  }
+  if (section.empty() || section == "simplification")
+  {
+    CompareLevels(mesh, folder ? folder : "", frames);
   }
   return EXIT_SUCCESS;
 }
