@@ -104,7 +104,15 @@ void CellSplitting::NumberPoints()
     vtkIdTypeArray::SafeDownCast(this->Split->GetPointData()->GetAbstractArray(PointIdsName));
   for (vtkIdType i = 0; ids && i < ids->GetNumberOfTuples(); ++i)
   {
-    numbers[ids->GetValue(i)] = i;
+    // Points that vtkConvexCells made are no point of the input.
+    const vtkIdType id = ids->GetValue(i);
+    const double* made = this->Split->GetPoint(i);
+    double x[3];
+    if (id >= 0 && id < count)
+    {
+      this->Input->GetPoint(id, x);
+      numbers[id] = std::equal(x, x + 3, made) ? i : numbers[id];
+    }
   }
   for (vtkIdType i = 0; i < count; ++i)
   {

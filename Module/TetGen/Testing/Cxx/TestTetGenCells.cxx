@@ -70,6 +70,7 @@ void TestPolyhedra(int first)
   filter->SetInputData(grid);
   filter->Update();
   vtkUnstructuredGrid* output = filter->GetOutput();
+  CHECK_EQUAL(filter->GetNumberOfCutCells(), 2);
   CHECK_EQUAL(filter->GetNumberOfFailedCells(), 0);
   CHECK_EQUAL(filter->GetNumberOfSkippedCells(), 0);
   const std::vector<double> volumes = TetrahedraCheck::VolumesBySource(output, 4);
