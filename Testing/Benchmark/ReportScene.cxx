@@ -22,7 +22,9 @@
 #include "vtkVisibilitySort.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
+#include <iostream>
 
 namespace
 {
@@ -37,6 +39,38 @@ public:
   }
 
   std::string Text;
+};
+
+/// Aborts a frame that takes too long; VTK's mappers ask for that.
+class FrameLimit : public vtkCommand
+{
+public:
+  static FrameLimit* New() { return new FrameLimit; }
+  void Watch(vtkRenderWindow* window, double seconds)
+  {
+    this->Seconds = seconds;
+    window->AddObserver(vtkCommand::StartEvent, this);
+    window->AddObserver(vtkCommand::AbortCheckEvent, this);
+  }
+  void Execute(vtkObject* window, unsigned long event, void*) override
+  {
+    const auto now = std::chrono::steady_clock::now();
+    if (event == vtkCommand::StartEvent)
+    {
+      this->Start = now;
+    }
+    else if (std::chrono::duration<double>(now - this->Start).count() > this->Seconds)
+    {
+      this->WasExceeded = true;
+      vtkRenderWindow::SafeDownCast(window)->SetAbortRender(1);
+    }
+  }
+
+  bool WasExceeded = false;
+
+private:
+  double Seconds = 0.0;
+  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
 vtkVariant Statistic(vtkUnstructuredGridVolumeMapper* mapper, const char* column)
@@ -253,8 +287,14 @@ bool ReportScene::MeasureError(const ReportMethods::Method& method, ReportRow& r
   }
   BenchmarkScene scene(mapper, this->GetInput(method), this->With.ErrorSize);
   this->SetProperty(scene);
+  vtkNew<FrameLimit> limit;
+  limit->Watch(scene.Window, this->With.SecondsPerFrame);
   // Of the first frame of VTK's projected tetrahedra a part is missing.
   scene.TimeFrame(0);
+  if (limit->WasExceeded)
+  {
+    return this->GiveUp(method);
+  }
   scene.TimeFrame(0);
   if (!this->IsDrawn(method, mapper, listener->Text))
   {
@@ -276,7 +316,7 @@ bool ReportScene::MeasureError(const ReportMethods::Method& method, ReportRow& r
 }
 
 //------------------------------------------------------------------------------
-void ReportScene::MeasureSpeed(
+bool ReportScene::MeasureSpeed(
   const ReportMethods::Method& method, double seconds, ReportRow& row)
 {
   const Mapper mapper = method.Make();
@@ -285,10 +325,12 @@ void ReportScene::MeasureSpeed(
   mapper->AddObserver(vtkCommand::WarningEvent, listener);
   BenchmarkScene scene(mapper, this->GetInput(method), this->With.ImageSize);
   this->SetProperty(scene);
+  vtkNew<FrameLimit> limit;
+  limit->Watch(scene.Window, this->With.SecondsPerFrame);
   row.First = scene.TimeFrame(0);
   row.Prepare = Statistic(mapper, "SecondsPrepare").ToDouble();
   double spent = row.First;
-  for (int frame = 1; frame <= this->With.Frames; ++frame)
+  for (int frame = 1; frame <= this->With.Frames && !limit->WasExceeded; ++frame)
   {
     if (frame > this->With.LeastFrames && spent > seconds)
     {
@@ -297,18 +339,30 @@ void ReportScene::MeasureSpeed(
     row.Frames.push_back(scene.TimeFrame(frame));
     spent += row.Frames.back();
   }
+  return !limit->WasExceeded || this->GiveUp(method);
+}
+
+//------------------------------------------------------------------------------
+bool ReportScene::GiveUp(const ReportMethods::Method& method)
+{
+  this->GivenUp.insert(method.Curve);
+  std::cout << "given up: " << method.Curve << " on " << this->Name << ", where a frame takes more than " << this->With.SecondsPerFrame << " s" << std::endl;
+  return false;
 }
 
 //------------------------------------------------------------------------------
 bool ReportScene::Measure(
   const ReportMethods::Method& method, double seconds, ReportRow& row)
 {
-  const Silence silence(method.Engine == "CPU");
-  if (!this->MeasureError(method, row))
+  if (this->GivenUp.count(method.Curve) > 0)
   {
     return false;
   }
-  this->MeasureSpeed(method, seconds, row);
+  const Silence silence(method.Engine == "CPU");
+  if (!this->MeasureError(method, row) || !this->MeasureSpeed(method, seconds, row))
+  {
+    return false;
+  }
   if (method.Curve == ReportMethods::Reference && this->Reference == 0.0)
   {
     this->Reference = Median(row.Frames);

@@ -9,6 +9,7 @@
 #include "vtkSmartPointer.h"
 
 #include <map>
+#include <set>
 #include <string>
 
 class BenchmarkScene;
@@ -29,7 +30,9 @@ public:
     // The oracle visits every cell for every pixel: a smaller picture of the same view will do.
     int ErrorSize = 96;
     // After this many a row may be out of time.
-    int LeastFrames = 3;
+    int LeastFrames = 2;
+    // A method with a longer frame is given up on the mesh: VTK's ZSweep may take minutes.
+    double SecondsPerFrame = 20.0;
   };
 
   ReportScene(const ReportMeshes::Mesh& mesh, const Settings& settings);
@@ -37,16 +40,17 @@ public:
   /// "smooth" or "spiky"; "unlit" or "lit".
   void SetLook(const std::string& transfer, const std::string& light);
 
-  /// False, and nothing measured, where the method does not draw this light or engine here. Frames
-  /// that begin after `seconds` are left out.
+  /// False where the method does not draw this light or engine here, or is given up, which one line
+  /// says. Frames that begin after `seconds` are left out.
   bool Measure(const ReportMethods::Method& method, double seconds, ReportRow& row);
 
 private:
   using Mapper = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
+  bool GiveUp(const ReportMethods::Method& method);
   vtkUnstructuredGrid* GetInput(const ReportMethods::Method& method);
   void SetProperty(BenchmarkScene& scene);
   bool MeasureError(const ReportMethods::Method& method, ReportRow& row);
-  void MeasureSpeed(const ReportMethods::Method& method, double seconds, ReportRow& row);
+  bool MeasureSpeed(const ReportMethods::Method& method, double seconds, ReportRow& row);
   bool IsDrawn(const ReportMethods::Method& method, vtkUnstructuredGridVolumeMapper* mapper,
     const std::string& warnings);
   vtkCellProjectionOracle* GetOracle(
@@ -68,6 +72,8 @@ private:
   std::map<std::string, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
   vtkSmartPointer<vtkImageData> ShirleyTuchman;
   double Reference = 0.0;
+  /// Curves.
+  std::set<std::string> GivenUp;
 };
 
 #endif
