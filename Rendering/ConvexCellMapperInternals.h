@@ -65,6 +65,7 @@ public:
   std::array<vtkMTimeType, 2> SeenPoints{};
   // What the transfer function was read from: the rest of a property may change without it.
   VolumePropertyReader::Source SeenFunction;
+  bool SeenPerLength = true;
   // What the scalars were built from.
   ScalarSource SeenSource;
 

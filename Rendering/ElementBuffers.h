@@ -2,10 +2,12 @@
 #define ElementBuffers_h
 
 #include "TextureBuffer.h"
+#include "VolumeTexture.h"
 #include "vtkTimeStamp.h"
 
 #include <string>
 
+struct MeshBlock;
 struct PreparedVolume;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -22,6 +24,14 @@ public:
   /// What has changed since the last call. False, with the reason in GetFailure, where the driver
   /// has no room.
   bool Upload(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
+
+  /// The same but for points and scalars: a block's follow, one after the other.
+  bool UploadWithoutMesh(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
+  bool UploadBlock(
+    vtkOpenGLRenderWindow* window, const PreparedVolume& prepared, const MeshBlock& block);
+
+  /// Where it is used, scalars are the texture's and points have none.
+  VolumeTexture& GetTexture() { return this->Texture; }
 
   /// Binds all of it for a program that is ready.
   void Activate(vtkShaderProgram* program);
@@ -40,10 +50,13 @@ private:
   bool UploadMesh(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
   bool Send(vtkOpenGLRenderWindow* window, TextureBuffer& buffer, const std::vector<float>& values,
     int components);
+  bool BeginUpload(
+    vtkOpenGLRenderWindow* window, const PreparedVolume& prepared, bool withMesh);
   bool UploadFunction(vtkOpenGLRenderWindow* window, const PreparedVolume& prepared);
 
   TextureBuffer Points;
   TextureBuffer Scalars;
+  VolumeTexture Texture;
   TextureBuffer NodePositions;
   TextureBuffer NodeValues;
   vtkTimeStamp PointsUploaded;

@@ -34,7 +34,7 @@ void ElementLists::Write(const ActiveCells& part, int* vertex) const
   for (const vtkIdType cell : part.Cells)
   {
     vertex = std::copy_n(this->Corners + 4 * (cell - this->FirstCell), 4, vertex);
-    *vertex++ = static_cast<int>(cell);
+    *vertex++ = static_cast<int>(cell - this->FirstCell);
   }
 }
 

@@ -8,7 +8,7 @@
 /**
  * @class ElementLists
  * @brief The active cells of shell after shell as the vertices that the GPU makes elements of, one
- * per cell: the ids of its four corners and its own.
+ * per cell: the ids of its four corners and its own, counted from the first cell.
  */
 class ElementLists
 {

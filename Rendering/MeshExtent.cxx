@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 namespace
@@ -34,6 +35,22 @@ double FindDiagonal(const MeshCoordinates& coordinates, const RasterView& view)
     longest = std::max(longest, glm::length(glm::dvec3(view.Rays->MeshToWorld * diagonal)));
   }
   return longest;
+}
+
+//------------------------------------------------------------------------------
+std::array<float, 2> FindDepths(const MeshCoordinates& coordinates, const RasterView& view)
+{
+  const glm::dmat4& meshToView = view.Rays->MeshToView;
+  const double middle = -meshToView[3].z - view.Rays->Reference;
+  double half = 0.0;
+  for (int i = 0; i < 8; ++i)
+  {
+    const glm::dvec4 corner(CornerOf(coordinates, i), 0.0);
+    half = std::max(half, std::abs((meshToView * corner).z));
+  }
+  // A little more, for what rounding puts beyond.
+  half *= 1.001;
+  return { { static_cast<float>(middle - half), static_cast<float>(2.0 * half) } };
 }
 
 //------------------------------------------------------------------------------

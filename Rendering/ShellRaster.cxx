@@ -1,6 +1,7 @@
 #include "ShellRaster.h"
 
 #include "ElementBuffers.h"
+#include "MeshBlocks.h"
 #include "RayUniforms.h"
 #include "ShellCells.h"
 #include "ShellPlan.h"
@@ -16,6 +17,8 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
+
 namespace
 {
 // How many shells pass between two looks whether anything can still be seen.
@@ -25,17 +28,12 @@ constexpr int ShellsPerQuery = 8;
 //------------------------------------------------------------------------------
 bool ShellRaster::Prepare(vtkOpenGLRenderWindow* window, const View& view)
 {
-  const ShellShaders::Variant variant{ view.IsPreIntegrated, view.Plan->SamplesPerShell / 4 };
+  const ShellShaders::Variant variant{ view.IsPreIntegrated, view.IsTextured,
+    view.Plan->SamplesPerShell / 4 };
   if (this->BlendSource.empty() || !(variant == this->Variant))
   {
     this->Variant = variant;
     this->BlendSource = ShellShaders::BlendSource(variant);
-  }
-  if (!this->Targets.Prepare(window, view.Width, view.Height, view.Plan->SamplesPerShell))
-  {
-    this->Failure = "the driver cannot render to " + std::to_string(view.Plan->SamplesPerShell) +
-                    " floats per pixel";
-    return false;
   }
   const bool compiled = this->Blend.Ready(window, this->BlendSource) &&
                         this->Open.Ready(window, ShellShaders::OpenSource());
@@ -75,7 +73,7 @@ bool ShellRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementB
   this->Elements->SetUniformi("image", view.Image->GetTextureUnit());
   buffers.Activate(this->Elements);
   buffers.Activate(this->Blend.Ready(window, this->BlendSource));
-  const bool drawn = this->DrawShells(window, view);
+  const bool drawn = this->DrawShells(window, view, buffers);
   buffers.Deactivate();
   view.Image->Deactivate();
   view.OpaqueDepth->Deactivate();
@@ -83,27 +81,55 @@ bool ShellRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementB
 }
 
 //------------------------------------------------------------------------------
-bool ShellRaster::DrawShells(vtkOpenGLRenderWindow* window, const View& view)
+void ShellRaster::BeginLists(const View& view)
 {
-  this->Lists.Begin(
-    *view.Cells, *view.Plan, 0, view.Cells->GetNumberOfCells(), view.Corners->data());
+  this->Lists.resize(std::max<size_t>(view.Blocks->size(), 1));
+  if (view.Blocks->empty())
+  {
+    this->Lists[0].Begin(
+      *view.Cells, *view.Plan, 0, view.Cells->GetNumberOfCells(), view.Corners->data());
+  }
+  for (size_t i = 0; i < view.Blocks->size(); ++i)
+  {
+    const MeshBlock& block = (*view.Blocks)[i];
+    this->Lists[i].Begin(*view.Cells, *view.Plan, block.Begin, block.End, block.Corners.data());
+  }
+}
+
+//------------------------------------------------------------------------------
+int ShellRaster::AdvanceLists()
+{
+  int elements = 0;
+  for (ElementLists& lists : this->Lists)
+  {
+    lists.Advance();
+    elements += lists.GetNumberOfElements();
+  }
+  return elements;
+}
+
+//------------------------------------------------------------------------------
+bool ShellRaster::DrawShells(
+  vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers)
+{
+  this->BeginLists(view);
   this->HasLast = false;
   for (int shell = 0; shell < view.Plan->NumberOfShells; ++shell)
   {
-    this->Lists.Advance();
-    if (this->Lists.Vertices.empty())
+    const int elements = this->AdvanceLists();
+    if (elements == 0)
     {
       this->HasLast = false;
       continue;
     }
     const bool asks = this->NumberOfShells % ShellsPerQuery == ShellsPerQuery - 1;
-    if (!this->SampleShell(window, view, shell, asks))
+    if (!this->SampleShell(window, view, buffers, shell, asks))
     {
       this->Failure = "the driver has no room for the elements of a shell";
       return false;
     }
     this->BlendShell(window, view, shell);
-    this->NumberOfElements += this->Lists.GetNumberOfElements();
+    this->NumberOfElements += elements;
     ++this->NumberOfShells;
     this->HasLast = true;
     if (asks && this->IsOpaque())
@@ -112,6 +138,27 @@ bool ShellRaster::DrawShells(vtkOpenGLRenderWindow* window, const View& view)
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool ShellRaster::DrawLists(
+  vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers)
+{
+  if (view.Blocks->empty())
+  {
+    return this->Vertices.Draw(this->Lists[0].Vertices, this->Elements);
+  }
+  bool drawn = true;
+  for (size_t i = 0; drawn && i < view.Blocks->size(); ++i)
+  {
+    if (!this->Lists[i].Vertices.empty())
+    {
+      drawn = buffers.UploadBlock(window, *view.Prepared, (*view.Blocks)[i]);
+      buffers.Activate(this->Elements);
+      drawn = drawn && this->Vertices.Draw(this->Lists[i].Vertices, this->Elements);
+    }
+  }
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
@@ -126,8 +173,8 @@ void ShellRaster::SetShell(vtkShaderProgram* program, const View& view, int shel
 }
 
 //------------------------------------------------------------------------------
-bool ShellRaster::SampleShell(
-  vtkOpenGLRenderWindow* window, const View& view, int shell, bool asks)
+bool ShellRaster::SampleShell(vtkOpenGLRenderWindow* window, const View& view,
+  ElementBuffers& buffers, int shell, bool asks)
 {
   this->Targets.BeginShell(window);
   if (asks)
@@ -136,7 +183,7 @@ bool ShellRaster::SampleShell(
   }
   window->GetShaderCache()->ReadyShaderProgram(this->Elements);
   this->SetShell(this->Elements, view, shell);
-  const bool drawn = this->Vertices.Draw(this->Lists.Vertices, this->Elements);
+  const bool drawn = this->DrawLists(window, view, buffers);
   this->Targets.EndShell(window);
   return drawn;
 }

@@ -13,6 +13,8 @@
 #include <vector>
 
 class ElementBuffers;
+struct MeshBlock;
+struct PreparedVolume;
 class ShellCells;
 class ShellPlan;
 
@@ -37,10 +39,20 @@ public:
     const ShellCells* Cells = nullptr;
     /// 4 ids per cell.
     const std::vector<int>* Corners = nullptr;
+    /// Empty where the whole mesh is uploaded; else these are, one after the other.
+    const std::vector<MeshBlock>* Blocks = nullptr;
+    const PreparedVolume* Prepared = nullptr;
     bool IsPreIntegrated = false;
+    bool IsTextured = false;
     /// Where the mesh is on the screen: x, y, width and height in pixels of the viewport.
     std::array<int, 4> Box{ { 0, 0, 0, 0 } };
   };
+
+  /// False where the driver cannot blend so many floats per pixel.
+  bool CanDraw(vtkOpenGLRenderWindow* window, const int size[2], int samplesPerShell)
+  {
+    return this->Targets.Prepare(window, size[0], size[1], samplesPerShell);
+  }
 
   /// Draws into the bound framebuffer, whose colours are `Image`. False, with the reason in
   /// GetFailure, where it cannot.
@@ -56,15 +68,20 @@ public:
 
 private:
   bool Prepare(vtkOpenGLRenderWindow* window, const View& view);
-  bool DrawShells(vtkOpenGLRenderWindow* window, const View& view);
-  bool SampleShell(vtkOpenGLRenderWindow* window, const View& view, int shell, bool asks);
+  void BeginLists(const View& view);
+  int AdvanceLists();
+  bool DrawShells(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers);
+  bool SampleShell(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers,
+    int shell, bool asks);
+  bool DrawLists(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers);
   void BlendShell(vtkOpenGLRenderWindow* window, const View& view, int shell);
   /// Whether no pixel of the box can show what is behind, in two steps.
   void CountOpen(vtkOpenGLRenderWindow* window, const View& view);
   bool IsOpaque() const;
   void SetShell(vtkShaderProgram* program, const View& view, int shell);
 
-  ElementLists Lists;
+  /// One per block.
+  std::vector<ElementLists> Lists;
   ElementVertices Vertices;
   ShellTargets Targets;
   ViewportQuad Blend;

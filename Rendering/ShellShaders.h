@@ -17,11 +17,13 @@ namespace ShellShaders
 struct Variant
 {
   bool IsPreIntegrated = false;
+  bool IsTextured = false;
   int NumberOfTargets = 1;
 
   bool operator==(const Variant& other) const
   {
     return this->IsPreIntegrated == other.IsPreIntegrated &&
+           this->IsTextured == other.IsTextured &&
            this->NumberOfTargets == other.NumberOfTargets;
   }
 };

@@ -31,18 +31,25 @@ void TetrahedraSelection::TakeCorners(vtkUnstructuredGrid* tetrahedra)
 
 //------------------------------------------------------------------------------
 TetrahedraSelection::Class TetrahedraSelection::ClassOf(
-  vtkIdType cell, const ScalarField& scalars, const TransferFunction& function) const
+  vtkIdType cell, const ScalarField& scalars, const Emptiness& isEmpty) const
 {
   float range[2];
   if (!scalars.FindCellRange(cell, &this->Corners[4 * cell], 4, range))
   {
     return Invalid;
   }
-  return function.IsTransparent(range[0], range[1]) ? Transparent : Drawn;
+  return isEmpty(range[0], range[1]) ? Transparent : Drawn;
 }
 
 //------------------------------------------------------------------------------
 void TetrahedraSelection::Classify(const ScalarField& scalars, const TransferFunction& function)
+{
+  this->Classify(scalars,
+    [&function](float low, float high) { return function.IsTransparent(low, high); });
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraSelection::Classify(const ScalarField& scalars, const Emptiness& isEmpty)
 {
   const vtkIdType cells = this->GetNumberOfCells();
   this->Classes.resize(static_cast<size_t>(cells));
@@ -51,10 +58,17 @@ void TetrahedraSelection::Classify(const ScalarField& scalars, const TransferFun
     {
       for (vtkIdType cell = begin; cell < end; ++cell)
       {
-        this->Classes[cell] = this->ClassOf(cell, scalars, function);
+        this->Classes[cell] = this->ClassOf(cell, scalars, isEmpty);
       }
     });
   this->NumberOfTransparentCells =
     std::count(this->Classes.begin(), this->Classes.end(), Transparent);
   this->NumberOfInvalidCells = std::count(this->Classes.begin(), this->Classes.end(), Invalid);
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraSelection::TakeAll()
+{
+  this->Classes.assign(static_cast<size_t>(this->GetNumberOfCells()), Drawn);
+  this->NumberOfTransparentCells = this->NumberOfInvalidCells = 0;
 }

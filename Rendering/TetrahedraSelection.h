@@ -3,6 +3,7 @@
 
 #include "vtkType.h"
 
+#include <functional>
 #include <vector>
 
 class ScalarField;
@@ -22,6 +23,14 @@ public:
   /// Finds the cells with a scalar that is not finite and those the transfer function leaves empty.
   void Classify(const ScalarField& scalars, const TransferFunction& function);
 
+  /// The same where `isEmpty` says whether a cell whose scalars reach from `low` to `high`,
+  /// normalised, changes no pixel.
+  using Emptiness = std::function<bool(float low, float high)>;
+  void Classify(const ScalarField& scalars, const Emptiness& isEmpty);
+
+  /// All of them, whatever their scalars.
+  void TakeAll();
+
   bool IsDrawn(vtkIdType cell) const { return this->Classes[cell] == Drawn; }
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Corners.size() / 4); }
 
@@ -36,7 +45,7 @@ private:
     Transparent,
     Invalid
   };
-  Class ClassOf(vtkIdType cell, const ScalarField& scalars, const TransferFunction& function) const;
+  Class ClassOf(vtkIdType cell, const ScalarField& scalars, const Emptiness& isEmpty) const;
 
   std::vector<Class> Classes;
 };

@@ -1,37 +1,18 @@
 #include "vtkBarycentricShellMapper.h"
 
-#include "CellProjectionFrame.h"
-#include "ElementBuffers.h"
+#include "BarycentricShellInternals.h"
+#include "MeshBlocks.h"
 #include "MeshExtent.h"
-#include "PreparedVolume.h"
-#include "ShellCells.h"
-#include "ShellPlan.h"
-#include "ShellRaster.h"
-#include "TetrahedraSelection.h"
-#include "TurnedCells.h"
+#include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
-#include "vtkTimeStamp.h"
+#include "vtkPointData.h"
+#include "vtkUnstructuredGrid.h"
 
+#include <algorithm>
 #include <cmath>
 
 vtkStandardNewMacro(vtkBarycentricShellMapper);
-
-/// What the mapper keeps from frame to frame.
-class vtkBarycentricShellMapper::Internals
-{
-public:
-  TetrahedraSelection Selection;
-  vtkTimeStamp CornersTime;
-  vtkTimeStamp SelectionTime;
-  TurnedCells Turned;
-  vtkTimeStamp TurnedTime;
-  ShellCells Cells;
-  ShellPlan Plan;
-  ElementBuffers Buffers;
-  ShellRaster Raster;
-  vtkIdType TargetBytes = 0;
-};
 
 //------------------------------------------------------------------------------
 vtkBarycentricShellMapper::vtkBarycentricShellMapper()
@@ -92,71 +73,172 @@ void vtkBarycentricShellMapper::SetSamplesPerShell(int samples)
 }
 
 //------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SelectCells()
+void vtkBarycentricShellMapper::SetMemoryLimit(double limit)
 {
-  Internals& internal = *this->Internal;
-  const PreparedVolume& prepared = this->GetPreparedVolume();
-  if (internal.CornersTime < prepared.CellsTime)
+  if (!(limit >= 0.0) || !std::isfinite(limit))
   {
-    internal.Selection.TakeCorners(prepared.Cells);
-    internal.CornersTime.Modified();
+    vtkErrorMacro("MemoryLimit is " << limit << " MiB: it must not be negative; "
+                                    << this->MemoryLimit << " stays.");
   }
-  if (internal.SelectionTime < internal.CornersTime ||
-      internal.SelectionTime < prepared.FunctionTime)
+  else if (limit != this->MemoryLimit)
   {
-    internal.Selection.Classify(prepared.Scalars, prepared.Function);
-    internal.SelectionTime.Modified();
+    this->MemoryLimit = limit;
+    this->Modified();
   }
 }
 
 //------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::CountTurnedCells()
+void vtkBarycentricShellMapper::SetVisibilitySort(vtkVisibilitySort* sort)
+{
+  if (this->Internal->Sort != sort)
+  {
+    this->Internal->Sort = sort;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkVisibilitySort* vtkBarycentricShellMapper::GetVisibilitySort()
+{
+  return this->Internal->Sort;
+}
+
+//------------------------------------------------------------------------------
+const char* vtkBarycentricShellMapper::GetMethodName() const
+{
+  return this->BlendMode == ISOSURFACE       ? "BarycentricIsoSurfaces"
+         : this->Method == CELL_PROJECTION ? "BarycentricCellProjection"
+                                           : "BarycentricShells";
+}
+
+//------------------------------------------------------------------------------
+void vtkBarycentricShellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
+{
+  Internals& internal = *this->Internal;
+  internal.HasSurfaces = false;
+  if (internal.Texture && !this->CheckTexture())
+  {
+    return;
+  }
+  this->Superclass::Render(renderer, volume);
+  if (internal.HasSurfaces)
+  {
+    internal.Surfaces.DrawDepth(internal.SurfacesFrame);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkBarycentricShellMapper::SetVolumeTexture(vtkImageData* image)
+{
+  if (this->Internal->Texture != image)
+  {
+    this->Internal->Texture = image;
+    this->Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkImageData* vtkBarycentricShellMapper::GetVolumeTexture()
+{
+  return this->Internal->Texture;
+}
+
+//------------------------------------------------------------------------------
+vtkDataArray* vtkBarycentricShellMapper::GetOwnScalars()
+{
+  vtkImageData* image = this->Internal->Texture;
+  return image ? image->GetPointData()->GetScalars() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBarycentricShellMapper::CheckTexture()
+{
+  vtkUnstructuredGridBase* input = this->GetInput();
+  vtkDataArray* coordinates = input ? input->GetPointData()->GetTCoords() : nullptr;
+  const int components = coordinates ? coordinates->GetNumberOfComponents() : 0;
+  if (!this->GetOwnScalars())
+  {
+    this->FailOnce("The volume texture has no point scalars: nothing is drawn; set them.");
+  }
+  else if (input && components != 3)
+  {
+    this->FailOnce("The points have texture coordinates of " + std::to_string(components) +
+                   " components: nothing is drawn; a volume texture takes 3, set by SetTCoords().");
+  }
+  else if (this->BlendMode == ISOSURFACE)
+  {
+    this->FailOnce("Iso-surfaces of a volume texture are not drawn: take scalars of points.");
+  }
+  return this->GetOwnScalars() && (!input || components == 3) && this->BlendMode != ISOSURFACE;
+}
+
+//------------------------------------------------------------------------------
+void vtkBarycentricShellMapper::SelectCells(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  const std::vector<float>& points = prepared.Coordinates.Points;
-  const vtkIdType before = this->NumberOfTurnedCells;
-  if (internal.TurnedTime < prepared.CellsTime)
+  if (internal.Buffers.GetTexture().IsUsed())
   {
-    internal.Turned.TakeSides(points, internal.Selection.Corners);
-    this->NumberOfTurnedCells = 0;
+    internal.Elements.SelectAll(prepared);
+    return;
   }
-  else if (internal.TurnedTime < prepared.PointsTime)
+  if (this->BlendMode != ISOSURFACE)
   {
-    this->NumberOfTurnedCells = internal.Turned.Count(points, internal.Selection.Corners);
+    internal.Elements.Select(prepared);
+    return;
   }
-  internal.TurnedTime.Modified();
-  // Their number changes with every frame: it is said once, until all are well again.
-  if (before == 0 && this->NumberOfTurnedCells > 0)
+  std::vector<std::string> problems;
+  internal.Surfaces.TakeValues(frame, prepared, problems);
+  for (const std::string& text : problems)
   {
-    vtkWarningMacro("Moved points have turned " << this->NumberOfTurnedCells
-                                                << " tetrahedra inside out: they are drawn as they "
-                                                   "are, see GetNumberOfTurnedCells().");
+    this->WarnOnce(text);
   }
+  internal.Elements.Select(prepared,
+    [&internal](float low, float high) { return internal.Surfaces.IsEmpty(low, high); });
 }
 
 //------------------------------------------------------------------------------
 void vtkBarycentricShellMapper::SortCells(CellProjectionFrame& frame)
 {
-  // Shells need no order: there are only distances from the eye to find.
-  FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
-  this->SelectCells();
-  this->CountTurnedCells();
   Internals& internal = *this->Internal;
-  internal.Cells.Build(this->GetPreparedVolume().Coordinates.Points, internal.Selection.Corners,
-    internal.Selection, frame.GetRasterView());
-  this->FillStatistics(frame);
+  {
+    // Shells need no order: there are only distances from the eye to find.
+    FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
+    internal.Buffers.GetTexture().SetSource(internal.Texture,
+      internal.Texture ? this->GetPreparedVolume().Cells->GetPointData()->GetTCoords() : nullptr);
+    const vtkIdType turned = internal.Elements.NumberOfTurnedCells;
+    this->SelectCells(frame);
+    internal.Elements.FindSeen(this->GetPreparedVolume(), frame.GetRasterView());
+    internal.Elements.FillStatistics(frame.Statistics);
+    // Their number changes with every frame: it is said once, until all are well again.
+    if (turned == 0 && internal.Elements.NumberOfTurnedCells > 0)
+    {
+      vtkWarningMacro("Moved points have turned "
+                      << internal.Elements.NumberOfTurnedCells
+                      << " tetrahedra inside out: they are drawn as they are, see "
+                         "GetNumberOfTurnedCells().");
+    }
+  }
+  if (this->Method == CELL_PROJECTION && this->BlendMode != ISOSURFACE)
+  {
+    this->OrderCells(frame);
+  }
 }
 
 //------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::FillStatistics(CellProjectionFrame& frame)
+void vtkBarycentricShellMapper::OrderCells(CellProjectionFrame& frame)
 {
-  const TetrahedraSelection& selection = this->Internal->Selection;
-  const ShellCells& cells = this->Internal->Cells;
-  frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
-  frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells + cells.NumberOfLostCells;
-  frame.Statistics.CellsSkippedOutside = cells.NumberOfOutsideCells;
-  frame.Statistics.CellsDrawn = cells.NumberOfSeenCells;
+  FrameStatistics::Timer timer(frame.Statistics.SecondsSort);
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  // Cells may have kept their time when their points moved.
+  if (!internal.Order || internal.OrderTime < prepared.PointsTime)
+  {
+    internal.Order = std::make_unique<BackToFrontOrder>();
+    internal.OrderTime.Modified();
+  }
+  internal.Order->Update(internal.Sort, prepared.Cells, frame);
+  frame.Statistics.Cycles = static_cast<vtkIdType>(internal.Order->CyclicGroups.size());
 }
 
 //------------------------------------------------------------------------------
@@ -168,7 +250,7 @@ bool vtkBarycentricShellMapper::PlanShells(CellProjectionFrame& frame)
                            ? this->SampleDistance
                            : MeshExtent::FindDiagonal(this->GetPreparedVolume().Coordinates, view) /
                                this->SamplesPerRay;
-  const double slices = ShellPlan::CountSlices(internal.Cells.Range, spacing);
+  const double slices = ShellPlan::CountSlices(internal.Elements.Cells.Range, spacing);
   if (!(slices <= ShellPlan::MaximumNumberOfSlices))
   {
     this->FailOnce("A distance of " + std::to_string(spacing) + " between samples would take " +
@@ -177,52 +259,74 @@ bool vtkBarycentricShellMapper::PlanShells(CellProjectionFrame& frame)
                    ": nothing is drawn; set a larger SampleDistance or fewer SamplesPerRay.");
     return false;
   }
-  internal.Plan.Build(
-    internal.Cells.Range, spacing, this->SamplesPerShell, this->Integration == PRE_INTEGRATED);
+  internal.Plan.Build(internal.Elements.Cells.Range, spacing, this->SamplesPerShell,
+    this->Integration == PRE_INTEGRATED);
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBarycentricShellMapper::UploadMesh(CellProjectionFrame& frame, bool inShells)
+{
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  const auto limit =
+    this->MemoryLimit > 0.0 ? std::max<size_t>(this->MemoryLimit * 1048576.0, 1) : 0;
+  internal.Blocks = &internal.Elements.CutIntoBlocks(prepared, inShells ? limit : 0);
+  if (!internal.Blocks->empty() && limit < MeshBlocks::LeastBytes)
+  {
+    this->WarnOnce("A MemoryLimit of " + std::to_string(this->MemoryLimit) +
+                   " MiB holds no block: drawn in blocks of " +
+                   std::to_string(MeshBlocks::LeastBytes) + " bytes; set more.");
+  }
+  return internal.Blocks->empty() ? internal.Buffers.Upload(frame.Window, prepared)
+                                  : internal.Buffers.UploadWithoutMesh(frame.Window, prepared);
 }
 
 //------------------------------------------------------------------------------
 bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
-  if (!this->PlanShells(frame))
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  bool inShells = this->BlendMode != ISOSURFACE && this->Method == SHELLS;
+  if (inShells && !internal.Shells.CanDraw(frame.Window, frame.Size, this->SamplesPerShell))
   {
-    frame.Statistics.CellsDrawn = 0;
-    return false;
+    this->WarnOnce("The driver cannot blend " + std::to_string(this->SamplesPerShell) +
+                   " floats per pixel: drawn by CellProjection.");
+    inShells = false;
+    this->OrderCells(frame);
   }
-  ShellRaster::View view;
-  static_cast<RasterView&>(view) = frame.GetRasterView();
-  view.Image = frame.Image;
-  view.Plan = &internal.Plan;
-  view.Cells = &internal.Cells;
-  view.Corners = &internal.Selection.Corners;
-  view.IsPreIntegrated = this->Integration == PRE_INTEGRATED;
-  view.Box = MeshExtent::FindScreenBox(this->GetPreparedVolume().Coordinates, view);
-  internal.TargetBytes = static_cast<vtkIdType>(sizeof(float)) * 2 * this->SamplesPerShell *
-                         frame.Size[0] * frame.Size[1];
-  const bool uploaded = internal.Buffers.Upload(frame.Window, this->GetPreparedVolume());
-  if (uploaded && internal.Raster.Draw(frame.Window, view, internal.Buffers))
+  std::string problem;
+  bool drawn = (!inShells || this->PlanShells(frame)) && this->UploadMesh(frame, inShells);
+  if (drawn)
   {
-    return true;
+    drawn = inShells ? internal.DrawShells(frame, prepared, *this, problem)
+            : this->BlendMode == ISOSURFACE ? internal.DrawSurfaces(frame, prepared, problem)
+                                            : internal.DrawOrdered(frame, problem);
   }
-  frame.Statistics.CellsDrawn = 0;
-  this->FailOnce(std::to_string(internal.Selection.GetNumberOfCells()) +
-                 " tetrahedra cannot be drawn: " +
-                 (uploaded ? internal.Raster.GetFailure() : internal.Buffers.GetFailure()) + ".");
-  return false;
+  problem = problem.empty() ? internal.Buffers.GetFailure() : problem;
+  if (drawn && !problem.empty())
+  {
+    this->WarnOnce(problem);
+  }
+  else if (!problem.empty())
+  {
+    this->FailOnce(std::to_string(internal.Elements.Selection.GetNumberOfCells()) +
+                   " tetrahedra cannot be drawn: " + problem + ".");
+  }
+  frame.Statistics.CellsDrawn = drawn ? frame.Statistics.CellsDrawn : 0;
+  return drawn;
 }
 
 //------------------------------------------------------------------------------
 vtkIdType vtkBarycentricShellMapper::GetNumberOfElementsDrawn() const
 {
-  return this->Internal->Raster.GetNumberOfElements();
+  return this->Internal->Shells.GetNumberOfElements();
 }
 
 //------------------------------------------------------------------------------
 int vtkBarycentricShellMapper::GetNumberOfShells() const
 {
-  return this->Internal->Raster.GetNumberOfShells();
+  return this->Internal->Shells.GetNumberOfShells();
 }
 
 //------------------------------------------------------------------------------
@@ -250,10 +354,18 @@ double vtkBarycentricShellMapper::GetUploadSeconds() const
 }
 
 //------------------------------------------------------------------------------
+vtkIdType vtkBarycentricShellMapper::GetNumberOfTurnedCells() const
+{
+  return this->Internal->Elements.NumberOfTurnedCells;
+}
+
+//------------------------------------------------------------------------------
 void vtkBarycentricShellMapper::ReleaseBuffers(vtkWindow* window)
 {
   this->Internal->Buffers.ReleaseGraphicsResources(window);
-  this->Internal->Raster.ReleaseGraphicsResources(window);
+  this->Internal->Shells.ReleaseGraphicsResources(window);
+  this->Internal->Projection.ReleaseGraphicsResources();
+  this->Internal->Surfaces.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseBuffers(window);
 }
 
@@ -264,5 +376,8 @@ void vtkBarycentricShellMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "SampleDistance: " << this->SampleDistance << "\n";
   os << indent << "SamplesPerRay: " << this->SamplesPerRay << "\n";
   os << indent << "SamplesPerShell: " << this->SamplesPerShell << "\n";
+  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
+  os << indent << "Method: " << this->Method << "\n";
+  os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
   os << indent << "Integration: " << this->Integration << "\n";
 }

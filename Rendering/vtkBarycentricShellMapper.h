@@ -4,6 +4,9 @@
 #include "vtkConvexCellMapper.h"
 
 #include <memory> // for std::unique_ptr
+#include <string> // for messages
+
+class vtkVisibilitySort;
 
 /**
  * @class vtkBarycentricShellMapper
@@ -25,7 +28,11 @@
  * points alone move, points alone are sent to the GPU: cells stay as they were first cut up
  * (vtkConvexCells, KeepCells).
  *
- * Blend mode: composite.
+ * Blend modes: composite, and isosurface: the surfaces where the scalar is one of the property's
+ * IsoSurfaceValues, found exactly in every cell, with the colour and the ScalarOpacity of their
+ * value (no unit distance), in any number and order. With Shade on they are lit by all lights, with
+ * normals from gradients at the points. The nearest surface writes its depth to the window where
+ * its opacity is 1. A gradient opacity is not applied to them.
  *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */
@@ -58,6 +65,34 @@ public:
   vtkGetMacro(SamplesPerShell, int);
   ///@}
 
+  enum MethodType
+  {
+    SHELLS = 0,
+    CELL_PROJECTION = 1
+  };
+
+  ///@{
+  /**
+   * How absorption and emission are drawn. Shells: sampled, in no order. CellProjection: each
+   * tetrahedron from its entry to its exit by the exact integral, from back to front (the paper's
+   * section 5); cells that hide each other in a circle are drawn as they come. Where the driver
+   * cannot blend floats to their maximum, CellProjection is drawn. Default: Shells.
+   */
+  vtkSetClampMacro(Method, int, SHELLS, CELL_PROJECTION);
+  vtkGetMacro(Method, int);
+  void SetMethodToShells() { this->SetMethod(SHELLS); }
+  void SetMethodToCellProjection() { this->SetMethod(CELL_PROJECTION); }
+  ///@}
+
+  ///@{
+  /**
+   * What orders the tetrahedra for CellProjection; the paper's is vtkPowerVisibilitySort. Null
+   * chooses: that one where it is exact, else vtkMPVOVisibilitySort. Default: null.
+   */
+  virtual void SetVisibilitySort(vtkVisibilitySort* sort);
+  vtkVisibilitySort* GetVisibilitySort();
+  ///@}
+
   enum IntegrationType
   {
     POINT = 0,
@@ -77,6 +112,28 @@ public:
 
   ///@{
   /**
+   * An image that is bound to the mesh: the scalar at a sample is the image's at the texture
+   * coordinates there, three for each point (SetTCoords of the input's point data), linear in each
+   * tetrahedron; 0 and 1 are the image's first and last points. The coordinates stay where points
+   * move. The scalars of the mesh play no role, and all cells are drawn. Not for iso-surfaces, and
+   * CellProjection takes it at entry and exit alone. Default: null.
+   */
+  virtual void SetVolumeTexture(vtkImageData* image);
+  vtkImageData* GetVolumeTexture();
+  ///@}
+
+  ///@{
+  /**
+   * How many MiB of points and scalars may be on the GPU at once; 0 is no limit. A mesh that takes
+   * more is drawn in shells block by block: each shell sends the blocks that it overlaps, and the
+   * image is the same to the last bit. Other methods take the whole mesh. Default: 0.
+   */
+  virtual void SetMemoryLimit(double limit);
+  vtkGetMacro(MemoryLimit, double);
+  ///@}
+
+  ///@{
+  /**
    * About the last frame: how many tetrahedra were drawn, each counted once per shell that it
    * overlaps; how many shells there were until all pixels were opaque; how many tetrahedra moved
    * points have turned inside out since they got their cells (they are drawn as they are); bytes of
@@ -88,17 +145,31 @@ public:
   vtkIdType GetTargetBytes() const;
   vtkIdType GetUploadedBytes() const;
   double GetUploadSeconds() const;
-  vtkGetMacro(NumberOfTurnedCells, vtkIdType);
+  vtkIdType GetNumberOfTurnedCells() const;
   ///@}
+
+  /**
+   * WARNING: INTERNAL METHOD - NOT INTENDED FOR GENERAL USE
+   */
+  void Render(vtkRenderer* renderer, vtkVolume* volume) override;
 
 protected:
   vtkBarycentricShellMapper();
   ~vtkBarycentricShellMapper() override;
 
-  const char* GetMethodName() const override { return "BarycentricShells"; }
-  bool CanDrawBlendMode(int mode) const override { return mode == COMPOSITE; }
+  const char* GetMethodName() const override;
+  bool CanDrawBlendMode(int mode) const override
+  {
+    return mode == COMPOSITE || mode == ISOSURFACE;
+  }
   bool NeedsTetrahedra() const override { return true; }
-  bool KeepsCells() const override { return true; }
+  bool CanShade() const override { return this->BlendMode == ISOSURFACE; }
+  vtkDataArray* GetOwnScalars() override;
+  bool IsOpacityPerLength() const override { return this->BlendMode != ISOSURFACE; }
+  bool KeepsCells() const override
+  {
+    return this->Method == SHELLS || this->BlendMode == ISOSURFACE;
+  }
   void SortCells(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
@@ -107,16 +178,18 @@ private:
   vtkBarycentricShellMapper(const vtkBarycentricShellMapper&) = delete;
   void operator=(const vtkBarycentricShellMapper&) = delete;
 
-  void SelectCells();
-  void CountTurnedCells();
-  void FillStatistics(CellProjectionFrame& frame);
+  void SelectCells(CellProjectionFrame& frame);
+  void OrderCells(CellProjectionFrame& frame);
+  bool CheckTexture();
+  bool UploadMesh(CellProjectionFrame& frame, bool inShells);
   bool PlanShells(CellProjectionFrame& frame);
 
   double SampleDistance = 0.0;
   double SamplesPerRay = 400.0;
   int SamplesPerShell = 8;
   int Integration = PRE_INTEGRATED;
-  vtkIdType NumberOfTurnedCells = 0;
+  int Method = SHELLS;
+  double MemoryLimit = 0.0;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -158,20 +158,22 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   Internals& internal = *this->Internal;
   PreparedVolume& prepared = internal.Prepared;
   const ScalarChoice choice(this, this->GetInput());
-  if (!choice.Array)
+  vtkDataArray* own = this->GetOwnScalars();
+  if (!own && !choice.Array)
   {
     this->FailOnce("No scalars: " + choice.Problem);
     return false;
   }
   VolumePropertyReader reader(frame.Volume->GetProperty());
-  const int components = choice.Array->GetNumberOfComponents();
+  const int components = (own ? own : choice.Array)->GetNumberOfComponents();
+  const bool onePerCell = !own && choice.OnePerCell;
   for (const std::string& text :
-    reader.FindUnsupported(components, choice.OnePerCell, this->CanShade()))
+    reader.FindUnsupported(components, onePerCell, this->CanShade()))
   {
     this->WarnOnce(text);
   }
   // The cells' own copy of the array: points merge, cells are cut up.
-  vtkDataArray* array = choice.FindIn(prepared.Cells, this);
+  vtkDataArray* array = own ? own : choice.FindIn(prepared.Cells, this);
   if (!array)
   {
     return false;
@@ -181,7 +183,7 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
       !(source == internal.SeenSource))
   {
     internal.SeenSource = source;
-    prepared.Scalars.Build(array, source.Component, choice.OnePerCell, source.Limits.data());
+    prepared.Scalars.Build(array, source.Component, onePerCell, source.Limits.data());
     prepared.ScalarsTime.Modified();
   }
   if (prepared.Scalars.NumberOfNonFiniteValues > 0)
@@ -198,7 +200,8 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
   PreparedVolume& prepared = this->Internal->Prepared;
   VolumePropertyReader reader(frame.Volume->GetProperty());
   const VolumePropertyReader::Source source = reader.FindSource();
-  if (source == this->Internal->SeenFunction && prepared.FunctionTime > prepared.ScalarsTime)
+  if (source == this->Internal->SeenFunction && prepared.FunctionTime > prepared.ScalarsTime &&
+      this->Internal->SeenPerLength == this->IsOpacityPerLength())
   {
     return;
   }
@@ -210,6 +213,7 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
     this->WarnOnce(text);
   }
   this->Internal->SeenFunction = source;
+  this->Internal->SeenPerLength = this->IsOpacityPerLength();
   prepared.FunctionTime.Modified();
 }
 

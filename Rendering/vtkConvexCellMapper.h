@@ -7,6 +7,7 @@
 #include <memory> // for std::unique_ptr
 #include <string> // for messages
 
+class vtkDataArray;
 class vtkImageData;
 class vtkRenderWindow;
 class vtkTable;
@@ -136,6 +137,8 @@ protected:
   virtual bool NeedsTetrahedra() const = 0;
   /// True where Shade and gradient opacity are drawn.
   virtual bool CanShade() const { return false; }
+  /// Scalars that are not the input's, such as those of a texture; null: the input's.
+  virtual vtkDataArray* GetOwnScalars() { return nullptr; }
   /// True where cells may keep what they were when their points were elsewhere (vtkConvexCells).
   virtual bool KeepsCells() const { return false; }
   /// False where ScalarOpacity is a pixel's own opacity, whatever the length of the ray.

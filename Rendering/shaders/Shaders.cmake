@@ -15,6 +15,7 @@ set(shaders
   cpElementGeometry
   cpElementInverse
   cpElementPassage
+  cpElementProjection
   cpElementVertex
   cpEmission
   cpExponentialOpacity
@@ -28,12 +29,16 @@ set(shaders
   cpGradients
   cpHull
   cpIntegral
+  cpIsoBlend
+  cpIsoDepth
+  cpIsoFragment
+  cpIsoPoint
   cpLayerSearchFragment
   cpLightSides
   cpLightTurns
   cpLighting
-  cpLitTable
   cpLinearOpacity
+  cpLitTable
   cpLongFace
   cpMeanEmission
   cpNearClip
@@ -42,6 +47,8 @@ set(shaders
   cpOctagon
   cpOpaqueQueryFragment
   cpOpticalDepth
+  cpPointLight
+  cpPointScalar
   cpPolyhedraFragment
   cpRay
   cpScreenPoint
@@ -65,6 +72,7 @@ set(shaders
   cpTetrahedraFragment
   cpTetrahedraGeometry
   cpTetrahedronClip
+  cpTextureScalar
   cpThreePassFragment
   cpThreePassVertex
   cpTransferFunction

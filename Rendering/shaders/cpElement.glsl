@@ -18,3 +18,14 @@ vec4 barycentricAt(Ray ray, float depth)
 {
   return barycentricOf((ray.point - elementCorner) + depth * ray.direction) + vec4(1.0, vec3(0.0));
 }
+
+// Coordinates and their change per depth at the ray's place next to the element, where floats are
+// finest; returns its depth.
+float beside(Ray ray, out vec4 at, out vec4 slope)
+{
+  vec3 offset = ray.point - elementCorner;
+  float depth = -dot(offset, ray.direction) / dot(ray.direction, ray.direction);
+  at = barycentricOf(offset + depth * ray.direction) + vec4(1.0, vec3(0.0));
+  slope = barycentricOf(ray.direction);
+  return depth;
+}

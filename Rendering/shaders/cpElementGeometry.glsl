@@ -14,7 +14,7 @@ flat in int sourceVSOutput[1];
 
 uniform samplerBuffer points;
 uniform samplerBuffer scalars;
-uniform int onePerCell;
+uniform int scalarKind; // 0: one per point, 1: one per cell, 2: none
 
 flat out vec3 elementRows[3];
 flat out vec3 elementCorner;
@@ -33,7 +33,8 @@ void main()
   for (int i = 0; i < 4; ++i)
   {
     p[i] = texelFetch(points, ids[i]).xyz;
-    cornerScalars[i] = texelFetch(scalars, onePerCell != 0 ? sourceVSOutput[0] : ids[i]).r;
+    int scalar = scalarKind == 0 ? ids[i] : scalarKind == 1 ? sourceVSOutput[0] : 0;
+    cornerScalars[i] = texelFetch(scalars, scalar).r;
   }
   vec3 rows[3];
   vec4 tolerance;

@@ -3,19 +3,19 @@
 float scalarAt(vec4 at, vec4 slope, float step)
 {
   vec4 b = max(at + step * slope, 0.0);
-  return dot(b, elementScalars) / (b.x + b.y + b.z + b.w);
+  return scalarOf(b / (b.x + b.y + b.z + b.w));
 }
 
-// Entry and exit, in steps.
-vec2 passageOf(vec4 at, vec4 slope, vec2 limits)
+// Entry and exit, in steps; coordinates down to -tolerance count as inside.
+vec2 passageOf(vec4 at, vec4 slope, vec4 tolerance, vec2 limits)
 {
   vec2 passage = limits;
   for (int i = 0; i < 4; ++i)
   {
-    float step = -(at[i] + elementTolerance[i]) / slope[i];
+    float step = -(at[i] + tolerance[i]) / slope[i];
     passage.x = slope[i] > 0.0 ? max(passage.x, step) : passage.x;
     passage.y = slope[i] < 0.0 ? min(passage.y, step) : passage.y;
-    passage.y = slope[i] == 0.0 && at[i] < -elementTolerance[i] ? passage.x : passage.y;
+    passage.y = slope[i] == 0.0 && at[i] < -tolerance[i] ? passage.x : passage.y;
   }
   return passage;
 }

@@ -6,6 +6,7 @@
 
 //VTK::Ray::Dec
 //VTK::Element::Dec
+//VTK::Scalar::Dec
 //VTK::Shell::Dec
 //VTK::SliceDepths::Dec
 //VTK::Samples::Dec

@@ -2,22 +2,20 @@
 
 const float empty = -16777216.0; // no sample
 
-// The scalars on four slices at `depths`, empty outside of the element.
+// On four slices at `depths`, empty outside of the element.
 vec4 samplesAt(Ray ray, vec4 at, vec4 slope, vec4 depths)
 {
-  vec4 least = vec4(0.0);
-  vec4 sum = vec4(0.0);
-  vec4 scalar = vec4(0.0);
+  vec4 samples;
   for (int i = 0; i < 4; ++i)
   {
-    vec4 b = at[i] + slope[i] * depths;
-    least = min(least, b + elementTolerance[i]);
+    float depth = depths[i];
+    vec4 b = at + depth * slope;
+    vec4 room = b + elementTolerance;
+    bool isInside = min(min(room.x, room.y), min(room.z, room.w)) >= 0.0 &&
+      depth >= ray.limits.x && depth <= ray.limits.y;
     b = max(b, 0.0);
-    sum += b;
-    scalar += b * elementScalars[i];
+    // Beyond [0,1] the transfer function is constant.
+    samples[i] = isInside ? clamp(scalarOf(b / (b.x + b.y + b.z + b.w)), -1.0, 2.0) : empty;
   }
-  // Beyond [0,1] the transfer function is constant.
-  scalar = clamp(scalar / sum, -1.0, 2.0);
-  vec4 outside = max(max(ray.limits.x - depths, depths - ray.limits.y), -least);
-  return mix(scalar, vec4(empty), greaterThan(outside, vec4(0.0)));
+  return samples;
 }

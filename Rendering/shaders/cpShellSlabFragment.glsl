@@ -6,6 +6,7 @@
 
 //VTK::Ray::Dec
 //VTK::Element::Dec
+//VTK::Scalar::Dec
 //VTK::Passage::Dec
 //VTK::SlabEnd::Dec
 //VTK::Shell::Dec
@@ -21,7 +22,7 @@ void main()
   vec2 slices = sliceDepths(ray);
   vec4 at = barycentricAt(ray, slices.x);
   vec4 slope = barycentricOf(ray.direction) * slices.y;
-  vec2 passage = passageOf(at, slope, (ray.limits - slices.x) / slices.y);
+  vec2 passage = passageOf(at, slope, elementTolerance, (ray.limits - slices.x) / slices.y);
   if (!(passage.y > passage.x) || passage.x > float(4 * NUMBER_OF_TARGETS) || passage.y < -1.0)
   {
     discard;

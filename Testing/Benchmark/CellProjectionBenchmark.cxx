@@ -2,14 +2,15 @@
 // frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
 // visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
 // Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra. Simplification:
-// levels of a mesh, as CSV.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification]]; the data's
+// levels of a mesh, as CSV. Shells: the paper's tables.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|shells]]; the data's
 //   folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
 #include "RealMeshes.h"
+#include "ShellBenchmark.h"
 #include "SimplificationBenchmark.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
@@ -168,6 +169,15 @@ void CompareLevels(const BenchmarkMesh& mesh, const std::string& folder, int fra
   }
   SimplificationBenchmark(mesh.Name, mesh.Grid).Run({ 0.02, 0.04, 0.06 }, frames);
 }
+
+// The sizes of the paper's meshes.
+void CompareShells(const BenchmarkMesh& mesh, int frames)
+{
+  ShellBenchmark::Run(mesh.Name, mesh.Grid, 400, frames);
+  ShellBenchmark::Run("lattice of 20^3", SortBenchmark::MakeLattice(20), 300, frames);
+  ShellBenchmark::Run("lattice of 32^3", SortBenchmark::MakeLattice(32), 400, frames);
+  ShellBenchmark::Run("lattice of 64^3", SortBenchmark::MakeLattice(64), 500, frames);
+}
 }
 
 int main(int argc, char* argv[])
@@ -196,6 +206,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "simplification")
   {
     CompareLevels(mesh, folder ? folder : "", frames);
+  }
+  if (section.empty() || section == "shells")
+  {
+    CompareShells(mesh, frames);
   }
   return EXIT_SUCCESS;
 }

@@ -1,0 +1,88 @@
+#ifndef BarycentricShellInternals_h
+#define BarycentricShellInternals_h
+
+#include "BackToFrontOrder.h"
+#include "CellProjectionFrame.h"
+#include "ElementBuffers.h"
+#include "ElementProjection.h"
+#include "IsoSurfaces.h"
+#include "MeshExtent.h"
+#include "PreparedElements.h"
+#include "PreparedVolume.h"
+#include "ShellPlan.h"
+#include "ShellRaster.h"
+#include "vtkBarycentricShellMapper.h"
+#include "vtkImageData.h"
+#include "vtkSmartPointer.h"
+#include "vtkVisibilitySort.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+/// What the mapper keeps from frame to frame.
+class vtkBarycentricShellMapper::Internals
+{
+public:
+  PreparedElements Elements;
+  ElementBuffers Buffers;
+
+  vtkSmartPointer<vtkImageData> Texture;
+
+  ShellPlan Plan;
+  ShellRaster Shells;
+  vtkIdType TargetBytes = 0;
+  const std::vector<MeshBlock>* Blocks = nullptr;
+
+  vtkSmartPointer<vtkVisibilitySort> Sort;
+  std::unique_ptr<BackToFrontOrder> Order;
+  vtkTimeStamp OrderTime;
+  ElementProjection Projection;
+
+  IsoSurfaces Surfaces;
+  // What the last frame left for the window's depth.
+  CellProjectionFrame SurfacesFrame;
+  bool HasSurfaces = false;
+
+  bool DrawShells(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+    vtkBarycentricShellMapper& mapper, std::string& failure)
+  {
+    ShellRaster::View view;
+    static_cast<RasterView&>(view) = frame.GetRasterView();
+    view.Image = frame.Image;
+    view.Plan = &this->Plan;
+    view.Cells = &this->Elements.Cells;
+    view.Corners = &this->Elements.Selection.Corners;
+    view.Blocks = this->Blocks;
+    view.Prepared = &prepared;
+    view.IsPreIntegrated = mapper.GetIntegration() == PRE_INTEGRATED;
+    view.IsTextured = this->Buffers.GetTexture().IsUsed();
+    view.Box = MeshExtent::FindScreenBox(prepared.Coordinates, view);
+    this->TargetBytes = static_cast<vtkIdType>(sizeof(float)) * 2 * this->Plan.SamplesPerShell *
+                        frame.Size[0] * frame.Size[1];
+    const bool drawn = this->Shells.Draw(frame.Window, view, this->Buffers);
+    failure = drawn ? "" : this->Shells.GetFailure();
+    return drawn;
+  }
+
+  /// Cell projection.
+  bool DrawOrdered(const CellProjectionFrame& frame, std::string& failure)
+  {
+    const bool drawn = this->Projection.Draw(frame.Window, frame.GetRasterView(),
+      this->Elements.MakeVertices(this->Order->Cells), this->Buffers);
+    failure = drawn ? "" : this->Projection.GetFailure();
+    return drawn;
+  }
+
+  bool DrawSurfaces(
+    const CellProjectionFrame& frame, const PreparedVolume& prepared, std::string& failure)
+  {
+    this->HasSurfaces = this->Surfaces.Draw(frame, prepared, this->Elements.Selection.Corners,
+      this->Elements.CornersTime, this->Elements.MakeVertices(), this->Buffers);
+    this->SurfacesFrame = frame;
+    failure = this->Surfaces.GetFailure();
+    return this->HasSurfaces;
+  }
+};
+
+#endif

@@ -1,0 +1,105 @@
+#include "IsoSurfaces.h"
+
+#include "CellProjectionFrame.h"
+#include "ElementBuffers.h"
+#include "MeshExtent.h"
+#include "PreparedVolume.h"
+#include "VolumePropertyReader.h"
+#include "vtkContourValues.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPiecewiseFunction.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+  std::vector<std::string>& problems)
+{
+  vtkVolumeProperty* property = frame.Volume->GetProperty();
+  vtkContourValues* contours = property->GetIsoSurfaceValues();
+  const double low = prepared.Scalars.Normal[0];
+  const double width = prepared.Scalars.Normal[1] - low;
+  this->Values.clear();
+  this->IsOpaque = true;
+  for (int i = 0; i < contours->GetNumberOfContours(); ++i)
+  {
+    const double value = contours->GetValue(i);
+    const double opacity = property->GetScalarOpacity()->GetValue(value);
+    // A mesh of one scalar has none.
+    if (width > 0.0 && opacity > 0.0 && !prepared.Scalars.OnePerCell)
+    {
+      this->Values.push_back(static_cast<float>((value - low) / width));
+      this->IsOpaque = this->IsOpaque && opacity >= 1.0;
+    }
+  }
+  if (contours->GetNumberOfContours() == 0)
+  {
+    problems.emplace_back("The property has no iso-surface values: nothing is drawn; call "
+                          "GetIsoSurfaceValues()->SetValue(0, ...).");
+  }
+  if (prepared.Scalars.OnePerCell)
+  {
+    problems.emplace_back("Scalars that are constant in their cells have no iso-surface: nothing "
+                          "is drawn; take point scalars.");
+  }
+  if (VolumePropertyReader(property).HasGradientOpacity())
+  {
+    problems.emplace_back("A gradient opacity function is set: it is not applied to iso-surfaces; "
+                          "call DisableGradientOpacityOn().");
+  }
+  if (this->Values.size() > IsoRaster::MaximumValues)
+  {
+    problems.push_back(std::to_string(this->Values.size()) + " iso-surface values are set: the " +
+                       "first " + std::to_string(IsoRaster::MaximumValues) + " are drawn.");
+    this->Values.resize(IsoRaster::MaximumValues);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsoSurfaces::IsEmpty(float low, float high) const
+{
+  return std::none_of(this->Values.begin(), this->Values.end(),
+    [=](float value) { return value >= low && value <= high; });
+}
+
+//------------------------------------------------------------------------------
+bool IsoSurfaces::Draw(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+  const std::vector<int>& corners, const vtkTimeStamp& cornersTime,
+  const std::vector<int>& vertices, ElementBuffers& buffers)
+{
+  std::string problem;
+  this->Shading.Prepare(frame, prepared, corners, cornersTime, problem);
+  if (!this->Buffers.Upload(frame.Window, this->Shading))
+  {
+    this->Failure = this->Buffers.GetFailure();
+    return false;
+  }
+  IsoRaster::View view;
+  static_cast<RasterView&>(view) = frame.GetRasterView();
+  this->Depths = MeshExtent::FindDepths(prepared.Coordinates, view);
+  view.Vertices = &vertices;
+  view.Values = this->Values;
+  view.IsOpaque = this->IsOpaque;
+  view.Depths = this->Depths;
+  const bool drawn = this->Raster.Draw(frame.Window, view, buffers, this->Buffers);
+  this->Failure = drawn ? problem : this->Raster.GetFailure();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+void IsoSurfaces::DrawDepth(const CellProjectionFrame& frame)
+{
+  IsoRaster::View view;
+  static_cast<RasterView&>(view) = frame.GetRasterView();
+  view.Depths = this->Depths;
+  this->Raster.DrawDepth(frame.Window, view, frame.Origin);
+}
+
+//------------------------------------------------------------------------------
+void IsoSurfaces::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Buffers.ReleaseGraphicsResources(window);
+  this->Raster.ReleaseGraphicsResources(window);
+}

@@ -1,0 +1,52 @@
+#ifndef IsoSurfaces_h
+#define IsoSurfaces_h
+
+#include "IsoRaster.h"
+#include "ShadingBuffers.h"
+#include "VolumeShading.h"
+
+#include <string>
+#include <vector>
+
+class ElementBuffers;
+class vtkTimeStamp;
+struct CellProjectionFrame;
+struct PreparedVolume;
+
+/**
+ * @class IsoSurfaces
+ * @brief The iso-surfaces that a volume's property asks for, from its values to the window's depth.
+ */
+class IsoSurfaces
+{
+public:
+  /// Takes the values; what cannot be drawn is named in `problems`.
+  void TakeValues(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+    std::vector<std::string>& problems);
+
+  /// Whether no surface passes between these normalised scalars.
+  bool IsEmpty(float low, float high) const;
+
+  /// `corners`: 4 ids per cell, made at `cornersTime`; `vertices`, as ElementLists gives them. Into
+  /// the bound framebuffer; false, with the reason in GetFailure, where it cannot.
+  bool Draw(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+    const std::vector<int>& corners, const vtkTimeStamp& cornersTime,
+    const std::vector<int>& vertices, ElementBuffers& buffers);
+
+  /// After the frame's image has been blended into the window: joins its depth.
+  void DrawDepth(const CellProjectionFrame& frame);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+  const std::string& GetFailure() const { return this->Failure; }
+
+private:
+  VolumeShading Shading;
+  ShadingBuffers Buffers;
+  IsoRaster Raster;
+  std::vector<float> Values;
+  std::array<float, 2> Depths{ { 0.0f, 1.0f } };
+  bool IsOpaque = false;
+  std::string Failure;
+};
+
+#endif
