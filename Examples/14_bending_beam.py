@@ -50,7 +50,7 @@ def swing(amplitude):
 window, renderer = scene.make_window(*arguments.size)
 mapper = vtkBarycentricShellMapper()
 scene.add_volume(renderer, mapper, grid, scene.make_emission(STRESS, 0.1))
-scene.set_camera(renderer, (0.9, -2.3, 0.8), (0.5, 0.0, -0.02), 26.0)
+scene.set_camera(renderer, (0.9, -2.3, 0.8), (0.53, 0.0, 0.0), 19.0)
 for i in range(arguments.frames):
     swing(0.1 * numpy.cos(2.0 * numpy.pi * (i + 1) / arguments.frames))
     window.Render()

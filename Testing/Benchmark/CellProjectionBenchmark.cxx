@@ -3,8 +3,8 @@
 // visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
 // Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra. Simplification:
 // levels of a mesh, as CSV. Shells: the paper's tables.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|shells]]; the data's
-//   folder is in CELLPROJECTION_DATA
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|shells]]; the
+//   data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 #include "ConvexificationBenchmark.h"

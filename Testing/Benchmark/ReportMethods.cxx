@@ -130,6 +130,13 @@ void AddShells(std::vector<Method>& all)
       mapper->SetIntegrationToPoint();
       return mapper;
     } });
+  all.push_back({ "Cell projection, barycentric", "", "Raster", Chosen, true,
+    []
+    {
+      auto mapper = vtkSmartPointer<vtkBarycentricShellMapper>::New();
+      mapper->SetMethodToCellProjection();
+      return mapper;
+    } });
 }
 
 void AddUnsorted(std::vector<Method>& all)

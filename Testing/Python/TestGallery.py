@@ -15,7 +15,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = {"04_search_light": [], "05_laser_cone": [], "06_camp_fire": ["--frames", "1"], "08_aurora": [],
-            "09_ground_fog": ["--generated"], "10_lit_bucky_ball": []}
+            "09_ground_fog": ["--generated"], "10_lit_bucky_ball": [], "14_bending_beam": [],
+            "15_iso_surfaces": [], "16_warped_texture": []}
 # Drivers place the samples of a multisampled window differently: here every pixel is one sample.
 ONE_SAMPLE = """
 import pathlib, runpy, sys
