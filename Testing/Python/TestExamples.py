@@ -6,6 +6,7 @@ import subprocess
 import sys
 import tempfile
 
+import vtkcellprojection
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -29,6 +30,9 @@ def run(example, folder, environment):
     picture = pathlib.Path(folder) / (example.stem + ".png")
     command = [sys.executable, str(example), "-o", str(picture)]
     output = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
+    if "without TetGen" in output and not hasattr(vtkcellprojection, "vtkTetGenTetrahedralizer"):
+        print(example.stem, "needs TetGen")
+        return output
     assert output.splitlines()[-1] == str(picture.resolve()), output
     check_picture(picture)
     return output

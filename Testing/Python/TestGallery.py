@@ -10,6 +10,7 @@ import subprocess
 import sys
 import tempfile
 
+import vtkcellprojection
 from vtkmodules.vtkImagingCore import vtkImageDifference
 from vtkmodules.vtkIOImage import vtkPNGReader
 
@@ -17,6 +18,8 @@ ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = {"04_search_light": [], "05_laser_cone": [], "06_camp_fire": ["--frames", "1"], "08_aurora": [],
             "09_ground_fog": ["--generated"], "10_lit_bucky_ball": [], "14_bending_beam": [],
             "15_iso_surfaces": [], "16_warped_texture": []}
+if hasattr(vtkcellprojection, "vtkTetGenTetrahedralizer"):
+    PICTURES["17_tetrahedra_by_tetgen"] = []
 # Drivers place the samples of a multisampled window differently: here every pixel is one sample.
 ONE_SAMPLE = """
 import pathlib, runpy, sys
