@@ -43,7 +43,7 @@ Plan MakePlan(const std::string& kind)
   {
     plan.Meshes = ReportMeshes::Read(folder, { "disk_out_ref" });
     plan.Meshes.push_back(ReportMeshes::MakeLattice(12));
-    plan.Settings = { 3, 256, 48, 1, 10.0 };
+    plan.Settings = { 3, 192, 48, 1, 10.0 };
     plan.Seconds = 220.0;
   }
   else
