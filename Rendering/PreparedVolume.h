@@ -6,6 +6,7 @@
 #include "TransferFunction.h"
 #include "vtkTimeStamp.h"
 
+class vtkDataArray;
 class vtkUnstructuredGrid;
 
 /**
@@ -35,6 +36,8 @@ struct PreparedVolume
   vtkUnstructuredGrid* Cells = nullptr;
   MeshCoordinates Coordinates;
   ScalarField Scalars;
+  /// What they were taken from.
+  vtkDataArray* Array = nullptr;
   TransferFunction Function;
 
   vtkTimeStamp CellsTime;

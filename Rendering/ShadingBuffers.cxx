@@ -25,7 +25,49 @@ bool ShadingBuffers::Upload(vtkOpenGLRenderWindow* window, const VolumeShading& 
     }
     this->GradientsUploaded.Modified();
   }
-  return this->UploadNodes(window, shading);
+  return this->UploadNodes(window, shading) && this->UploadColors(window, shading.Colors);
+}
+
+//------------------------------------------------------------------------------
+bool ShadingBuffers::UploadColors(vtkOpenGLRenderWindow* window, const DependentColors& colors)
+{
+  this->Colors = colors.Kind;
+  this->ColorsPerCell = colors.OnePerCell;
+  if (colors.Kind == DependentColors::None || this->ColorsUploaded > colors.Time)
+  {
+    return true;
+  }
+  const TransferFunction& function = colors.Function;
+  this->NumberOfColorNodes = function.GetNumberOfNodes();
+  const bool good = this->CornerColors.Upload(window, colors.Values, 4) &&
+                    (colors.Kind == DependentColors::Direct ||
+                      (this->ColorPositions.Upload(window, function.GetPositions(), 1) &&
+                        this->ColorValues.Upload(window, function.GetValues(), 4)));
+  if (good)
+  {
+    this->ColorsUploaded.Modified();
+  }
+  else
+  {
+    this->Failure = this->CornerColors.GetFailure() + this->ColorValues.GetFailure();
+  }
+  return good;
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::ActivateColors(vtkShaderProgram* program)
+{
+  if (this->Colors != DependentColors::None)
+  {
+    this->CornerColors.Activate(program, "cornerColours");
+    program->SetUniformi("coloursPerCell", this->ColorsPerCell ? 1 : 0);
+  }
+  if (this->Colors == DependentColors::Scalar)
+  {
+    this->ColorPositions.Activate(program, "colourPositions");
+    this->ColorValues.Activate(program, "colourValues");
+    program->SetUniformi("numberOfColourNodes", this->NumberOfColorNodes);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -75,6 +117,7 @@ void ShadingBuffers::PackLights(const SceneLighting& lighting)
 //------------------------------------------------------------------------------
 void ShadingBuffers::Activate(vtkShaderProgram* program)
 {
+  this->ActivateColors(program);
   this->Gradients.Activate(program, "pointGradients");
   program->SetUniformMatrix3x3("gradientToView", glm::value_ptr(this->GradientToView));
   if (this->HasGradientOpacity())
@@ -105,6 +148,15 @@ void ShadingBuffers::Deactivate()
   {
     this->Nodes.Deactivate();
   }
+  if (this->Colors != DependentColors::None)
+  {
+    this->CornerColors.Deactivate();
+  }
+  if (this->Colors == DependentColors::Scalar)
+  {
+    this->ColorPositions.Deactivate();
+    this->ColorValues.Deactivate();
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -112,5 +164,9 @@ void ShadingBuffers::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Gradients.ReleaseGraphicsResources(window);
   this->Nodes.ReleaseGraphicsResources(window);
+  this->ColorValues.ReleaseGraphicsResources(window);
+  this->ColorPositions.ReleaseGraphicsResources(window);
+  this->CornerColors.ReleaseGraphicsResources(window);
   this->GradientsUploaded = vtkTimeStamp();
+  this->ColorsUploaded = vtkTimeStamp();
 }

@@ -1,6 +1,7 @@
 #ifndef ShadingBuffers_h
 #define ShadingBuffers_h
 
+#include "DependentColors.h"
 #include "TextureBuffer.h"
 #include "vtkTimeStamp.h"
 
@@ -30,6 +31,7 @@ public:
 
   bool IsLit() const { return this->Lit; }
   bool HasGradientOpacity() const { return this->NumberOfNodes > 0; }
+  DependentColors::Kinds GetColors() const { return this->Colors; }
 
   void Activate(vtkShaderProgram* program);
   void Deactivate();
@@ -37,12 +39,21 @@ public:
   const std::string& GetFailure() const { return this->Failure; }
 
 private:
+  bool UploadColors(vtkOpenGLRenderWindow* window, const DependentColors& colors);
+  void ActivateColors(vtkShaderProgram* program);
   bool UploadNodes(vtkOpenGLRenderWindow* window, const VolumeShading& shading);
   void PackLights(const SceneLighting& lighting);
 
   TextureBuffer Gradients;
   TextureBuffer Nodes;
   vtkTimeStamp GradientsUploaded;
+  TextureBuffer ColorValues;
+  TextureBuffer ColorPositions;
+  TextureBuffer CornerColors;
+  vtkTimeStamp ColorsUploaded;
+  DependentColors::Kinds Colors = DependentColors::None;
+  bool ColorsPerCell = false;
+  int NumberOfColorNodes = 0;
   int NumberOfNodes = 0;
   bool Lit = false;
   glm::mat3 GradientToView{ 1.0f };

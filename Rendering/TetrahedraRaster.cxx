@@ -77,6 +77,7 @@ bool TetrahedraRaster::BuildPrograms(
   variant.Integration = view.Integration;
   variant.IsLit = view.Shading && view.Shading->IsLit();
   variant.HasGradientOpacity = view.Shading && view.Shading->HasGradientOpacity();
+  variant.Colors = view.Shading ? view.Shading->GetColors() : DependentColors::None;
   if (withLayers)
   {
     programs.Search = ReadyProgram(window, view, Task::LayerSearch, variant);

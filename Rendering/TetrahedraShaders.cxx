@@ -3,7 +3,9 @@
 #include "RayUniforms.h"
 #include "cpAverageSegment.h"
 #include "cpCellVertex.h"
+#include "cpCornerColours.h"
 #include "cpDepthLayer.h"
+#include "cpDirectColour.h"
 #include "cpFootprint.h"
 #include "cpGradientOpacity.h"
 #include "cpGradients.h"
@@ -18,6 +20,8 @@
 #include "cpNoGradientOpacity.h"
 #include "cpNoLighting.h"
 #include "cpOpticalDepth.h"
+#include "cpOwnColour.h"
+#include "cpScalarColour.h"
 #include "cpSegment.h"
 #include "cpShadedAverage.h"
 #include "cpShadedIntegral.h"
@@ -75,6 +79,10 @@ std::string ShadingSource(const Variant& variant)
   std::string source = cpGradients;
   source += variant.IsLit ? std::string(cpLighting) + cpLightTurns + cpLightSides : cpNoLighting;
   source += variant.HasGradientOpacity ? cpGradientOpacity : cpNoGradientOpacity;
+  source += variant.HasColors() ? cpCornerColours : cpOwnColour;
+  source += !variant.HasColors()                            ? ""
+            : variant.Colors == DependentColors::Direct ? cpDirectColour
+                                                            : cpScalarColour;
   return source;
 }
 
@@ -93,12 +101,14 @@ std::string FragmentSource(Task task, const Variant& variant)
   std::string source = task == Task::LayerSearch ? cpLayerSearchFragment : cpTetrahedraFragment;
   const bool isLayer = task == Task::Layer;
   const bool isShaded = variant.IsShaded();
+  const std::string begin = std::string("beginShading(cell, c, base);") +
+                            (variant.HasColors() ? "\n  beginColours(cell, c);" : "");
   auto put = [&source](const char* tag, const std::string& code)
   { vtkShaderProgram::Substitute(source, tag, code); };
   put("//VTK::Clip::Dec", cpTetrahedronClip);
   put("//VTK::TransferFunction::Dec", cpTransferFunction);
   put("//VTK::Shading::Dec", isShaded ? ShadingSource(variant) : "");
-  put("//VTK::Shading::Impl", isShaded ? "beginShading(cell, c, base);" : "");
+  put("//VTK::Shading::Impl", isShaded ? begin : "");
   put("//VTK::Integral::Dec", IntegralSource(variant));
   put("//VTK::Segment::Dec", SegmentSource(variant));
   put("//VTK::Layer::Dec", isLayer ? cpDepthLayer : "");

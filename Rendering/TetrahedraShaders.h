@@ -1,6 +1,8 @@
 #ifndef TetrahedraShaders_h
 #define TetrahedraShaders_h
 
+#include "DependentColors.h"
+
 struct RasterView;
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -34,8 +36,10 @@ struct Variant
   SegmentIntegration Integration = SegmentIntegration::Exact;
   bool IsLit = false;
   bool HasGradientOpacity = false;
+  DependentColors::Kinds Colors = DependentColors::None;
 
-  bool IsShaded() const { return this->IsLit || this->HasGradientOpacity; }
+  bool HasColors() const { return this->Colors != DependentColors::None; }
+  bool IsShaded() const { return this->IsLit || this->HasGradientOpacity || this->HasColors(); }
 };
 
 /// Null where it does not compile. VTK's cache finds the compiled program by its source again.

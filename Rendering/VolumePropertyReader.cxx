@@ -140,8 +140,19 @@ TransferFunction::Sample VolumePropertyReader::Evaluate(double scalar) const
 }
 
 //------------------------------------------------------------------------------
-int VolumePropertyReader::ChooseComponent(int numberOfComponents) const
+bool VolumePropertyReader::HasDependentComponents(int numberOfComponents) const
 {
+  return !this->Property->GetIndependentComponents() &&
+         (numberOfComponents == 2 || numberOfComponents == 4);
+}
+
+//------------------------------------------------------------------------------
+int VolumePropertyReader::ChooseComponent(int numberOfComponents, bool canDepend) const
+{
+  if (canDepend && this->HasDependentComponents(numberOfComponents))
+  {
+    return numberOfComponents - 1;
+  }
   if (numberOfComponents <= 1 || this->Property->GetColorChannels() == 1)
   {
     return 0;
@@ -214,7 +225,8 @@ std::vector<std::string> VolumePropertyReader::FindUnsupported(
     unsupported.emplace_back("A two-dimensional transfer function is set: the one-dimensional "
                              "functions are drawn; call SetTransferFunctionMode(TF_1D).");
   }
-  if (numberOfComponents > 1 && !this->Property->GetIndependentComponents())
+  if (numberOfComponents > 1 && !this->Property->GetIndependentComponents() &&
+      !(canShade && this->HasDependentComponents(numberOfComponents)))
   {
     unsupported.emplace_back("IndependentComponents is off: one component of " +
                              std::to_string(numberOfComponents) +

@@ -45,7 +45,8 @@ public:
   void Read(const double range[2], const double extremes[2], bool isOpacityPerLength,
     TransferFunction& function, std::vector<std::string>& problems);
 
-  /// What the property asks for and is not drawn; `canShade`: shading and gradient opacity are.
+  /// What the property asks for and is not drawn; `canShade`: shading, gradient opacity
+  /// and dependent components are.
   std::vector<std::string> FindUnsupported(
     int numberOfComponents, bool onePerCell, bool canShade) const;
 
@@ -55,8 +56,12 @@ public:
   /// Builds `function` over the gradient's length, normalised; returns what 1 stands for.
   double ReadGradientOpacity(TransferFunction& function) const;
 
-  /// Which of an array's components the property wants; -1 is the magnitude.
-  int ChooseComponent(int numberOfComponents) const;
+  /// Which of an array's components the property wants; -1 is the magnitude. `canDepend`: of
+  /// dependent components the last one, by opacity.
+  int ChooseComponent(int numberOfComponents, bool canDepend) const;
+
+  /// True for two or four components with IndependentComponents off.
+  bool HasDependentComponents(int numberOfComponents) const;
 
 private:
   std::vector<double> FindCandidates() const;

@@ -22,6 +22,7 @@ void VolumeShading::Prepare(const CellProjectionFrame& frame, const PreparedVolu
   VolumePropertyReader reader(property);
   this->IsLit = property->GetShade() != 0;
   this->HasGradientOpacity = reader.HasGradientOpacity();
+  this->Colors.Prepare(prepared, reader);
   if (!this->IsNeeded())
   {
     return;

@@ -1,6 +1,7 @@
 #ifndef VolumeShading_h
 #define VolumeShading_h
 
+#include "DependentColors.h"
 #include "SceneLighting.h"
 #include "TransferFunction.h"
 #include "VertexGradients.h"
@@ -16,7 +17,8 @@ struct PreparedVolume;
 
 /**
  * @class VolumeShading
- * @brief What lights a volume of tetrahedra and makes it transparent by its gradient.
+ * @brief What lights a volume of tetrahedra, makes it transparent by its gradient, or colours it by
+ * other components than its opacity.
  *
  * Where the property asks for neither, nothing is computed. Gradients are computed again when the
  * points, the cells or the scalars change; lights and coefficients are read in every frame.
@@ -28,10 +30,14 @@ public:
   void Prepare(const CellProjectionFrame& frame, const PreparedVolume& prepared,
     const std::vector<int>& corners, const vtkTimeStamp& cornersTime, std::string& problem);
 
-  bool IsNeeded() const { return this->IsLit || this->HasGradientOpacity; }
+  bool IsNeeded() const
+  {
+    return this->IsLit || this->HasGradientOpacity || this->Colors.Kind != DependentColors::None;
+  }
 
   bool IsLit = false;
   bool HasGradientOpacity = false;
+  DependentColors Colors;
   VertexGradients Gradients;
   SceneLighting Lighting;
   /// By the length of the gradient, normalised.

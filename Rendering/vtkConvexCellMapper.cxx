@@ -178,7 +178,9 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   {
     return false;
   }
-  const ScalarSource source{ array, reader.ChooseComponent(components), reader.FindLimits() };
+  const ScalarSource source{ array, reader.ChooseComponent(components, this->CanShade()),
+    reader.FindLimits() };
+  prepared.Array = array;
   if (prepared.ScalarsTime < prepared.CellsTime || prepared.ScalarsTime < array->GetMTime() ||
       !(source == internal.SeenSource))
   {

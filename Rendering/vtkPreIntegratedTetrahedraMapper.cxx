@@ -113,7 +113,7 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
     this->WarnOnce(problem);
   }
   const bool isLit = internal.Shading.IsLit;
-  if (this->Integration == TABLE &&
+  if (this->DrawsTable() &&
       (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
         internal.Table.IsLit() != isLit))
   {
@@ -237,6 +237,18 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 }
 
 //------------------------------------------------------------------------------
+bool vtkPreIntegratedTetrahedraMapper::DrawsTable()
+{
+  const bool isDependent = this->Internal->Shading.Colors.Kind != DependentColors::None;
+  if (this->Integration == TABLE && isDependent)
+  {
+    this->WarnOnce("A table holds one scalar: dependent components are drawn with the exact "
+                   "integral; call SetIntegrationToExact().");
+  }
+  return this->Integration == TABLE && !isDependent;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::UploadTable(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
@@ -317,7 +329,7 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   TetrahedraRaster::View view;
   view.SamplesPerSegment = this->SamplesPerSegment;
   view.Integration = this->Integration == AVERAGE ? SegmentIntegration::Average
-                     : this->Integration == TABLE && this->UploadTable(frame)
+                     : this->DrawsTable() && this->UploadTable(frame)
                        ? SegmentIntegration::Table
                        : SegmentIntegration::Exact;
   static_cast<RasterView&>(view) = frame.GetRasterView();

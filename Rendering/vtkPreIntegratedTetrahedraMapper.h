@@ -188,6 +188,7 @@ private:
   bool UploadField(CellProjectionFrame& frame);
   bool UploadOrder();
   bool UploadTable(CellProjectionFrame& frame);
+  bool DrawsTable();
   void BuildDrawnCells();
   void PrepareApproximation(CellProjectionFrame& frame);
   bool ProjectApproximation(CellProjectionFrame& frame);

@@ -10,7 +10,9 @@ set(shaders
   cpCellScalars
   cpCellVertex
   cpConvexCell
+  cpCornerColours
   cpDepthLayer
+  cpDirectColour
   cpElement
   cpElementGeometry
   cpElementInverse
@@ -47,10 +49,12 @@ set(shaders
   cpOctagon
   cpOpaqueQueryFragment
   cpOpticalDepth
+  cpOwnColour
   cpPointLight
   cpPointScalar
   cpPolyhedraFragment
   cpRay
+  cpScalarColour
   cpScreenPoint
   cpSegment
   cpShadedAverage

@@ -1,10 +1,10 @@
-// A segment's emission and absorption from the mean of colour and extinction at its ends, with light
-// and gradient opacity there.
+// A segment's emission and absorption from the mean of colour and extinction at its ends, with
+// light and gradient opacity there.
 
 vec4 shadedAt(float scalar, float share)
 {
   vec4 value = valueInInterval(firstInterval(scalar, false), scalar);
-  return vec4(shade(value.rgb, share), value.a * gradientOpacity(share));
+  return vec4(shade(baseColour(value.rgb, share), share), value.a * gradientOpacity(share));
 }
 
 vec4 integrateSegment(float front, float back, float len)

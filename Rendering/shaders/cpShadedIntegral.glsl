@@ -16,7 +16,7 @@ void addStep(vec4 front, vec4 back, vec2 ends, float len, inout vec4 sum)
     vec4 value = mix(front, back, gaussNode[i]);
     float share = mix(ends.x, ends.y, gaussNode[i]);
     depth[i] = value.a * gradientOpacity(share) * len;
-    colours[i] = shade(value.rgb, share);
+    colours[i] = shade(baseColour(value.rgb, share), share);
   }
   vec3 absorbed = gaussWeight * depth * exp(-(running * depth));
   float total = absorbed.x + absorbed.y + absorbed.z;

@@ -9,7 +9,8 @@ void addPiece(vec4 front, vec4 back, vec2 ends, float len, inout vec4 sum)
   float done = front.a + back.a > 0.0 && width > 0.0 ? ends.x : ends.y;
   for (int turns = 0; turns < 32 && done < ends.y && sum.a < 0.9999999; ++turns)
   {
-    float next = max(min(nextLight(done), nextGradientNode(done)), done + 0.004);
+    float next = min(min(nextLight(done), nextGradientNode(done)), nextColour(done));
+    next = max(next, done + 0.004);
     next = turns == 31 ? ends.y : min(next, ends.y);
     vec2 shares = (vec2(done, next) - ends.x) / width;
     addStretch(mix(front, back, shares.x), mix(front, back, shares.y), vec2(done, next),

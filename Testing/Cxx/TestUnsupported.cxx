@@ -96,13 +96,13 @@ int TestUnsupported(int, char*[])
   CheckWarning(checks, "IndependentComponents is off",
     [](TestScene& s)
     {
-      vtkNew<vtkDoubleArray> two;
-      two->SetNumberOfComponents(2);
+      vtkNew<vtkDoubleArray> three;
+      three->SetNumberOfComponents(3);
       for (vtkIdType id = 0; id < s.Mapper->GetInput()->GetNumberOfPoints(); ++id)
       {
-        two->InsertNextTuple2(0.1 * id, 1.0);
+        three->InsertNextTuple3(0.1 * id, 1.0, 1.0);
       }
-      s.Mapper->GetInput()->GetPointData()->SetScalars(two);
+      s.Mapper->GetInput()->GetPointData()->SetScalars(three);
       s.Property->IndependentComponentsOff();
     });
   CheckWarning(checks, "Tiles engine", [](TestScene& s) { s.Mapper->SetEngineToTiles(); });
