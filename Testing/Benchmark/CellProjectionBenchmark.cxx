@@ -174,9 +174,14 @@ void CompareLevels(const BenchmarkMesh& mesh, const std::string& folder, int fra
 void CompareShells(const BenchmarkMesh& mesh, int frames)
 {
   ShellBenchmark::Run(mesh.Name, mesh.Grid, 400, frames);
-  ShellBenchmark::Run("lattice of 20^3", SortBenchmark::MakeLattice(20), 300, frames);
-  ShellBenchmark::Run("lattice of 32^3", SortBenchmark::MakeLattice(32), 400, frames);
-  ShellBenchmark::Run("lattice of 64^3", SortBenchmark::MakeLattice(64), 500, frames);
+  const int sizes[3][2] = { { 20, 300 }, { 32, 400 }, { 64, 500 } };
+  for (const auto& size : sizes)
+  {
+    const auto lattice = SortBenchmark::MakeLattice(size[0]);
+    SortMeshes::AddScalar(lattice);
+    ShellBenchmark::Run(
+      "lattice of " + std::to_string(size[0]) + "^3", lattice, size[1], frames);
+  }
 }
 }
 
