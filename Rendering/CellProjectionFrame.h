@@ -32,6 +32,10 @@ struct CellProjectionFrame
   vtkTextureObject* OpaqueDepth = nullptr;
   /// What the bound float target draws to.
   vtkTextureObject* Image = nullptr;
+  /// Whether the Tiles engine draws, not Raster.
+  bool UsesTiles = false;
+  /// For Tiles: window depths, row by row; empty where nothing opaque is there.
+  std::vector<float> OpaqueDepths;
   FrameStatistics Statistics;
 
   RasterView GetRasterView() const

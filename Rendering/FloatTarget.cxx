@@ -18,11 +18,8 @@ FloatTarget::FloatTarget() = default;
 FloatTarget::~FloatTarget() = default;
 
 //------------------------------------------------------------------------------
-bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height)
+void FloatTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 {
-  vtkOpenGLState* state = window->GetState();
-  state->PushFramebufferBindings();
-  this->Framebuffer->SetContext(window);
   this->Color->SetContext(window);
   if (static_cast<int>(this->Color->GetWidth()) != width ||
       static_cast<int>(this->Color->GetHeight()) != height)
@@ -31,6 +28,30 @@ bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height)
     this->Color->SetMagnificationFilter(vtkTextureObject::Nearest);
     this->Color->Allocate2D(width, height, 4, VTK_FLOAT);
   }
+}
+
+//------------------------------------------------------------------------------
+bool FloatTarget::Upload(vtkOpenGLRenderWindow* window, const int size[2], const float* image)
+{
+  if (!image)
+  {
+    return false;
+  }
+  this->Allocate(window, size[0], size[1]);
+  this->Color->Activate();
+  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, image);
+  this->Color->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool FloatTarget::Begin(vtkOpenGLRenderWindow* window, int width, int height)
+{
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  this->Framebuffer->SetContext(window);
+  this->Allocate(window, width, height);
   this->Framebuffer->Bind();
   this->Framebuffer->AddColorAttachment(0, this->Color);
   this->Framebuffer->ActivateDrawBuffer(0);

@@ -31,6 +31,8 @@ public:
 
   /// What is drawn to.
   vtkTextureObject* GetTexture() { return this->Color; }
+  /// Takes an image that was drawn elsewhere instead; false where there is none.
+  bool Upload(vtkOpenGLRenderWindow* window, const int size[2], const float* image);
 
   /// The image as one float array RGBA, first row at the bottom.
   void Capture(vtkImageData* image);
@@ -41,6 +43,8 @@ public:
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:
+  void Allocate(vtkOpenGLRenderWindow* window, int width, int height);
+
   vtkNew<vtkOpenGLFramebufferObject> Framebuffer;
   vtkNew<vtkTextureObject> Color;
   std::unique_ptr<vtkOpenGLQuadHelper> Quad;

@@ -1,7 +1,11 @@
 #include "MapperMessages.h"
 
+#include "RayUniforms.h"
 #include "ScalarField.h"
 #include "vtkDataArray.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkPlaneCollection.h"
+#include "vtkRenderer.h"
 #include "vtkUnstructuredGridBase.h"
 
 namespace MapperMessages
@@ -19,6 +23,33 @@ std::string InputProblem(vtkUnstructuredGridBase* input)
            std::to_string(input->GetNumberOfCells()) + " cells: there is nothing to draw.";
   }
   return "";
+}
+
+//------------------------------------------------------------------------------
+std::string RendererProblem(vtkRenderer* renderer)
+{
+  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
+  {
+    return "The renderer has no OpenGL window: nothing is drawn.";
+  }
+  if (renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
+  {
+    return "Volumes are not depth peeled: call UseDepthPeelingForVolumesOff() on the "
+           "renderer; nothing is drawn.";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+std::string ExcessPlanes(vtkPlaneCollection* planes)
+{
+  const int count = planes ? planes->GetNumberOfItems() : 0;
+  if (count <= RayUniforms::MaximumClippingPlanes)
+  {
+    return "";
+  }
+  return std::to_string(count) + " clipping planes are set: the first " +
+         std::to_string(RayUniforms::MaximumClippingPlanes) + " clip.";
 }
 
 //------------------------------------------------------------------------------

@@ -5,13 +5,21 @@
 
 class ScalarField;
 class vtkDataArray;
+class vtkPlaneCollection;
+class vtkRenderer;
 class vtkUnstructuredGridBase;
 
-/// What a mapper says about its input.
+/// What a mapper says about its input and its renderer.
 namespace MapperMessages
 {
 /// Why nothing can be drawn of it; empty where something can.
 std::string InputProblem(vtkUnstructuredGridBase* input);
+
+/// Likewise of a renderer.
+std::string RendererProblem(vtkRenderer* renderer);
+
+/// That there are more planes than clip; empty where all do.
+std::string ExcessPlanes(vtkPlaneCollection* planes);
 
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars);
 }

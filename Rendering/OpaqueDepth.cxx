@@ -6,6 +6,7 @@
 
 #include CELLPROJECTION_OPENGL_HEADER
 
+#include <algorithm>
 #include <vector>
 
 namespace
@@ -148,6 +149,19 @@ bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], co
     state->PopFramebufferBindings();
   }
   return glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+void OpaqueDepth::Read(std::vector<float>& depths)
+{
+  depths.resize(static_cast<size_t>(this->Depth->GetWidth()) * this->Depth->GetHeight());
+  this->Depth->Activate();
+  glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  this->Depth->Deactivate();
+  if (std::all_of(depths.begin(), depths.end(), [](float depth) { return depth >= 1.0f; }))
+  {
+    depths.clear();
+  }
 }
 
 //------------------------------------------------------------------------------

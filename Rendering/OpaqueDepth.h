@@ -4,6 +4,8 @@
 #include "vtkNew.h"
 #include "vtkTextureObject.h"
 
+#include <vector>
+
 class vtkOpenGLRenderWindow;
 class vtkWindow;
 
@@ -21,6 +23,8 @@ public:
   /// False where the framebuffer has no depth or cannot be read; the scene counts as empty then.
   bool Grab(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2]);
   vtkTextureObject* GetTexture() { return this->Depth; }
+  /// What was grabbed, row by row; empty where all of it is 1.
+  void Read(std::vector<float>& depths);
   void ReleaseGraphicsResources(vtkWindow* window);
 
 private:

@@ -80,6 +80,8 @@ bool ViewRays::Build(const Transforms& transforms)
     glm::translate(transforms.DataToWorld, transforms.Center), glm::dvec3(transforms.Scale));
   this->MeshToView = transforms.WorldToView * this->MeshToWorld;
   this->MeshToClip = glm::mat4(transforms.ViewToClip * this->MeshToView);
+  this->ViewToClip = transforms.ViewToClip;
+  this->ViewToWorld = glm::inverse(transforms.WorldToView);
   this->SetEye(clipToView);
   return true;
 }

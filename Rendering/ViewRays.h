@@ -61,6 +61,8 @@ public:
   double EyeDepth = 0.0;
   /// Of the viewport, in pixels.
   glm::ivec2 Size{ 1, 1 };
+  glm::dmat4 ViewToClip{ 1.0 };
+  glm::dmat4 ViewToWorld{ 1.0 };
 
 private:
   void SetDepths(const Transforms& transforms, const glm::dmat4& clipToView);

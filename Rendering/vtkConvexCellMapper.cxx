@@ -2,9 +2,9 @@
 
 #include "BlendModeAdvice.h"
 #include "ConvexCellMapperInternals.h"
+#include "EngineChoice.h"
 #include "MapperMessages.h"
 #include "PremultipliedBlending.h"
-#include "RayUniforms.h"
 #include "ScalarChoice.h"
 #include "SceneView.h"
 #include "VTKVersions.h"
@@ -12,7 +12,6 @@
 #include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
-#include "vtkPlaneCollection.h"
 #include "vtkRenderer.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
@@ -60,31 +59,9 @@ bool vtkConvexCellMapper::BeginFrame(
   frame.Renderer = renderer;
   frame.Volume = volume;
   frame.Statistics.Method = this->GetMethodName();
-  frame.Statistics.Engine = "Raster";
   this->Internal->Captured = nullptr;
   this->Internal->Statistics = frame.Statistics;
-  if (this->Engine == TILES)
-  {
-    this->WarnOnce("The Tiles engine is not part of this version: drawn by Raster.");
-  }
-  return this->CheckRenderer(renderer) && this->EnterWindow(frame);
-}
-
-//------------------------------------------------------------------------------
-bool vtkConvexCellMapper::CheckRenderer(vtkRenderer* renderer)
-{
-  if (!vtkOpenGLRenderWindow::SafeDownCast(renderer->GetRenderWindow()))
-  {
-    this->FailOnce("The renderer has no OpenGL window: nothing is drawn.");
-    return false;
-  }
-  if (renderer->GetUseDepthPeeling() && renderer->GetUseDepthPeelingForVolumes())
-  {
-    this->FailOnce("Volumes are not depth peeled: call UseDepthPeelingForVolumesOff() on the "
-                   "renderer; nothing is drawn.");
-    return false;
-  }
-  return true;
+  return this->PassesWithout(MapperMessages::RendererProblem(renderer)) && this->EnterWindow(frame);
 }
 
 //------------------------------------------------------------------------------
@@ -105,7 +82,20 @@ bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
     frame.Window->MakeCurrent();
   }
   this->Internal->Window = frame.Window;
+  this->ChooseEngine(frame);
   return true;
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::ChooseEngine(CellProjectionFrame& frame)
+{
+  const std::string obstacle = this->FindTilesObstacle(frame);
+  frame.UsesTiles = EngineChoice::UsesTiles(this->Engine, obstacle);
+  frame.Statistics.Engine = frame.UsesTiles ? "Tiles" : "Raster";
+  if (this->Engine == TILES && !obstacle.empty())
+  {
+    this->WarnOnce("The Tiles engine does not draw " + obstacle + ": drawn by Raster.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -143,12 +133,7 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkConvexCellMapper::CheckInput()
 {
-  const std::string problem = MapperMessages::InputProblem(this->GetInput());
-  if (!problem.empty())
-  {
-    this->FailOnce(problem);
-  }
-  return problem.empty();
+  return this->PassesWithout(MapperMessages::InputProblem(this->GetInput()));
 }
 
 //------------------------------------------------------------------------------
@@ -228,11 +213,10 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
       "The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
     return false;
   }
-  const int count = this->ClippingPlanes ? this->ClippingPlanes->GetNumberOfItems() : 0;
-  if (count > RayUniforms::MaximumClippingPlanes)
+  const std::string excess = MapperMessages::ExcessPlanes(this->ClippingPlanes);
+  if (!excess.empty())
   {
-    this->WarnOnce(std::to_string(count) + " clipping planes are set: the first " +
-                   std::to_string(RayUniforms::MaximumClippingPlanes) + " clip.");
+    this->WarnOnce(excess);
   }
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);
   return true;
@@ -247,7 +231,11 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
     this->WarnOnce("The window's depth cannot be read: opaque geometry does not hide the volume.");
   }
   frame.OpaqueDepth = this->Internal->Depth.GetTexture();
-
+  if (frame.UsesTiles)
+  {
+    this->Internal->Depth.Read(frame.OpaqueDepths);
+    return this->Internal->Target.Upload(frame.Window, frame.Size, this->DrawTiles(frame));
+  }
   const PremultipliedBlending blending(frame.Window->GetState());
   if (!this->Internal->Target.Begin(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -380,6 +368,16 @@ void vtkConvexCellMapper::FailOnce(const std::string& text)
   {
     vtkErrorMacro(<< text);
   }
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::PassesWithout(const std::string& problem)
+{
+  if (!problem.empty())
+  {
+    this->FailOnce(problem);
+  }
+  return problem.empty();
 }
 
 //------------------------------------------------------------------------------

@@ -71,8 +71,9 @@ public:
 
   ///@{
   /**
-   * What projects: Raster is OpenGL 3.2 core, Tiles plain C++. Automatic takes the faster one that
-   * is there; this version has Raster, and Tiles warns once and draws by Raster. Default:
+   * What projects: Raster is OpenGL 3.2 core, Tiles plain C++ on all cores, for any mesh without a
+   * sort. Automatic takes Tiles where OpenGL is drawn in software (llvmpipe, softpipe) and Tiles
+   * draws what is set; where it does not, Tiles warns once and draws by Raster. Default:
    * Automatic.
    */
   vtkSetClampMacro(Engine, int, AUTOMATIC, TILES);
@@ -145,6 +146,15 @@ protected:
   virtual bool IsOpacityPerLength() const { return true; }
   /// Orders the cells for this view.
   virtual void SortCells(CellProjectionFrame& frame) = 0;
+  /// What keeps the Tiles engine from drawing what is set, as one says it after "does not draw";
+  /// empty where nothing does.
+  virtual std::string FindTilesObstacle(const CellProjectionFrame&) const
+  {
+    return "the cells of this mapper";
+  }
+  /// The Tiles engine's image: premultiplied RGBA of the viewport's size; null where nothing can be
+  /// drawn.
+  virtual const float* DrawTiles(CellProjectionFrame&) { return nullptr; }
   /// Draws the cells into the bound float target. False where nothing can be drawn.
   virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
 
@@ -173,8 +183,8 @@ private:
   void operator=(const vtkConvexCellMapper&) = delete;
 
   bool BeginFrame(vtkRenderer* renderer, vtkVolume* volume, CellProjectionFrame& frame);
-  bool CheckRenderer(vtkRenderer* renderer);
   bool EnterWindow(CellProjectionFrame& frame);
+  void ChooseEngine(CellProjectionFrame& frame);
   bool PrepareCells(CellProjectionFrame& frame);
   bool PrepareScalars(CellProjectionFrame& frame);
   void PrepareTransferFunction(CellProjectionFrame& frame);
@@ -184,6 +194,8 @@ private:
   void EndFrame(CellProjectionFrame& frame);
 
   bool CheckInput();
+  /// False, with the problem as an error, where there is one.
+  bool PassesWithout(const std::string& problem);
 
   class Internals;
   std::unique_ptr<Internals> Internal;

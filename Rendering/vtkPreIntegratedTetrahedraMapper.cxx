@@ -10,6 +10,7 @@
 #include "TetrahedraPlanes.h"
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
+#include "TetrahedraTiles.h"
 #include "VolumeShading.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -30,6 +31,7 @@ public:
   DrawnCells Drawn;
   TetrahedraRaster Raster;
   TetrahedraApproximation Approximation;
+  TetrahedraTiles Tiles;
   PreIntegrationTable Table;
   VolumeShading Shading;
   ShadingBuffers ShadingOnGPU;
@@ -127,6 +129,21 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
 void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
 {
   this->PrepareTetrahedra(frame);
+  // Tiles find their own order.
+  if (!frame.UsesTiles || this->Internal->Sort || this->ReportOrder)
+  {
+    this->OrderCells(frame);
+  }
+  const TetrahedraSelection& selection = this->Internal->Selection;
+  frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
+  frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells;
+  frame.Statistics.CellsDrawn = selection.GetNumberOfCells() - selection.NumberOfTransparentCells -
+                                selection.NumberOfInvalidCells;
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::OrderCells(CellProjectionFrame& frame)
+{
   FrameStatistics::Timer timer(frame.Statistics.SecondsSort);
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
@@ -142,11 +159,6 @@ void vtkPreIntegratedTetrahedraMapper::SortCells(CellProjectionFrame& frame)
   }
   frame.Statistics.Cycles = static_cast<vtkIdType>(internal.Order.CyclicGroups.size());
   frame.Statistics.MisorderedFaces = this->ReportOrder ? internal.Order.CountMisorderedFaces() : 0;
-  const TetrahedraSelection& selection = internal.Selection;
-  frame.Statistics.CellsSkippedTransparent = selection.NumberOfTransparentCells;
-  frame.Statistics.CellsSkippedInvalid += selection.NumberOfInvalidCells;
-  frame.Statistics.CellsDrawn = selection.GetNumberOfCells() - selection.NumberOfTransparentCells -
-                                selection.NumberOfInvalidCells;
 }
 
 //------------------------------------------------------------------------------
@@ -160,13 +172,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
     return true;
   }
   const std::vector<float> planes = TetrahedraPlanes::Planes(coordinates.Points, corners);
-  const vtkIdType flat = TetrahedraPlanes::CountFlatCells(planes);
-  if (flat > 0)
-  {
-    this->WarnOnce(
-      std::to_string(flat) + " tetrahedra are too small beside the whole mesh for its " +
-      "float coordinates: they are not drawn; render their part of the mesh on its own.");
-  }
+  this->WarnOfFlatCells(TetrahedraPlanes::CountFlatCells(planes));
   const bool good = internal.Raster.UploadPoints(frame.Window, coordinates.Points) &&
                     internal.Raster.UploadCorners(frame.Window, corners) &&
                     internal.Raster.UploadPlanes(frame.Window, planes);
@@ -176,6 +182,17 @@ bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
     internal.CellsUploaded.Modified();
   }
   return good;
+}
+
+//------------------------------------------------------------------------------
+void vtkPreIntegratedTetrahedraMapper::WarnOfFlatCells(vtkIdType count)
+{
+  if (count > 0)
+  {
+    this->WarnOnce(
+      std::to_string(count) + " tetrahedra are too small beside the whole mesh for its " +
+      "float coordinates: they are not drawn; render their part of the mesh on its own.");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -317,6 +334,25 @@ bool vtkPreIntegratedTetrahedraMapper::UploadShading(CellProjectionFrame& frame)
                    "; draw fewer points.");
   }
   return good;
+}
+
+//------------------------------------------------------------------------------
+std::string vtkPreIntegratedTetrahedraMapper::FindTilesObstacle(
+  const CellProjectionFrame& frame) const
+{
+  const bool isExact = this->Integration == EXACT && this->Approximation == NONE;
+  return isExact ? TetrahedraTiles::FindObstacle(frame) : "by table, average or approximation";
+}
+
+//------------------------------------------------------------------------------
+const float* vtkPreIntegratedTetrahedraMapper::DrawTiles(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime);
+  this->WarnOfFlatCells(internal.Tiles.CountFlatCells());
+  const bool hasOrder = internal.Sort || this->ReportOrder;
+  return internal.Tiles.Draw(frame, prepared, hasOrder ? &internal.Order : nullptr);
 }
 
 //------------------------------------------------------------------------------

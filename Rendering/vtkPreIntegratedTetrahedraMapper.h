@@ -176,6 +176,8 @@ protected:
   bool NeedsTetrahedra() const override { return true; }
   bool CanShade() const override { return this->Approximation == NONE; }
   void SortCells(CellProjectionFrame& frame) override;
+  std::string FindTilesObstacle(const CellProjectionFrame& frame) const override;
+  const float* DrawTiles(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
 
@@ -184,6 +186,8 @@ private:
   void operator=(const vtkPreIntegratedTetrahedraMapper&) = delete;
 
   void PrepareTetrahedra(CellProjectionFrame& frame);
+  void OrderCells(CellProjectionFrame& frame);
+  void WarnOfFlatCells(vtkIdType count);
   bool UploadCells(CellProjectionFrame& frame);
   bool UploadField(CellProjectionFrame& frame);
   bool UploadOrder();

@@ -19,6 +19,7 @@ void TileMesh::Build(const std::vector<float>& points, const std::vector<int>& c
   this->FindOrientations();
   this->Neighbours = TileNeighbours::Find(this->Corners, this->GetNumberOfPoints());
   this->CellScalars.clear();
+  this->FindSteps();
   this->SetDrawn(std::vector<unsigned char>(this->Source.size(), 1));
 }
 
@@ -89,12 +90,26 @@ void TileMesh::FindOrientations()
 }
 
 //------------------------------------------------------------------------------
+void TileMesh::FindSteps()
+{
+  this->Steps.assign(this->Source.size(), this->CellScalars.empty() ? 0 : 15);
+  for (std::size_t at = 0; at < this->Neighbours.size(); ++at)
+  {
+    this->Steps[at / 4] |= static_cast<unsigned char>(this->Neighbours[at] < 0 ? 1 << at % 4 : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
 void TileMesh::SetScalars(const std::vector<float>& values, bool onePerCell)
 {
-  this->CellScalars.clear();
+  const bool changesKind = onePerCell == this->CellScalars.empty();
+  this->CellScalars.resize(onePerCell ? this->Source.size() : 0);
+  if (changesKind)
+  {
+    this->FindSteps();
+  }
   if (onePerCell)
   {
-    this->CellScalars.resize(this->Source.size());
     std::transform(this->Source.begin(), this->Source.end(), this->CellScalars.begin(),
       [&](int source) { return values[source]; });
     return;
@@ -120,5 +135,5 @@ std::size_t TileMesh::GetMemorySize() const
 {
   return 4 * (this->Points.size() + this->Corners.size() + this->Neighbours.size() +
                this->Source.size() + this->PointSource.size() + this->CellScalars.size()) +
-         this->Orientations.size() + this->Drawn.size();
+         this->Orientations.size() + this->Drawn.size() + this->Steps.size();
 }

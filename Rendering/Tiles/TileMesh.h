@@ -36,6 +36,8 @@ public:
    *  it, 0 for a flat cell. */
   std::vector<signed char> Orientations;
   std::vector<unsigned char> Drawn;
+  /** Bit f: on the other side of face f the scalar may be another one, or there is no cell. */
+  std::vector<unsigned char> Steps;
   /** The cell's id in what Build was given. */
   std::vector<int> Source;
   /** Empty where scalars are the points'. */
@@ -45,6 +47,7 @@ private:
   void OrderCells(const std::vector<float>& points, const std::vector<int>& corners);
   void CopyCells(const std::vector<float>& points, const std::vector<int>& corners);
   void FindOrientations();
+  void FindSteps();
 
   std::vector<int> PointSource;
 };

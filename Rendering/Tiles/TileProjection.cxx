@@ -48,7 +48,7 @@ void CoverTile(
   const TileTask& task, const TileRectangle& tile, TileScratch& scratch, const Flush& flush)
 {
   static const BlockShapes shapes;
-  const SetupBounds bounds(*task.View);
+  const SetupBounds bounds(task);
   const std::vector<int>& ids = scratch.Drawn;
   scratch.Fragments.Count = 0;
   auto handOn = [&]

@@ -71,19 +71,47 @@ struct SetupCorners
 /// How far floats are to be trusted.
 struct SetupBounds
 {
-  /// Of a plane: u per pixel, beyond which a vertex' rounding shows.
-  float Steepest;
-  /// Rounding of a vertex in pixels and in u, over the scalar error that is let pass.
-  float PixelRounding, ScreenDepthRounding;
+  /// Change of depth per pixel beyond which the rounding of a corner shows: at a face where the
+  /// scalar is continuous, and where it is not.
+  float Steep, SteepStep;
   float WeightScale, WeightOffset;
 
-  explicit SetupBounds(const TileView& view)
-    : Steepest(static_cast<float>(view.ExtentU))
-    , PixelRounding(3e-5f / 1e-5f)
-    , ScreenDepthRounding(static_cast<float>(1e-7 / 1e-5 * view.ExtentU))
-    , WeightScale(static_cast<float>(view.WeightScale))
-    , WeightOffset(static_cast<float>(view.WeightOffset))
+  /// Rounding of a corner in pixels, and of u.
+  static constexpr float PixelRounding = 3e-5f;
+  static constexpr float FloatRounding = 1e-7f;
+  /// What is let pass in a normalised scalar and in an optical depth.
+  static constexpr float ScalarError = 1e-5f;
+  static constexpr double DepthError = 2e-5;
+
+  explicit SetupBounds(const TileTask& task)
+    : Steep(static_cast<float>(task.View->Extent))
+    , WeightScale(static_cast<float>(task.View->WeightScale))
+    , WeightOffset(static_cast<float>(task.View->WeightOffset))
   {
+    const double share = DepthError / (PixelRounding * task.OpticalDepth);
+    this->SteepStep = static_cast<float>(task.View->Extent * std::min(share, 1.0));
+  }
+};
+
+/// Weights of the lanes' corners, and what follows from the least.
+struct SetupWeights
+{
+  SetupVector At[4];
+  SetupVector Least;
+  SetupVector ScreenDepthRounding;
+
+  SetupWeights(const SetupCorners& c, const SetupBounds& bounds)
+  {
+    const SetupFloat d;
+    const auto scale = hn::Set(d, bounds.WeightScale), offset = hn::Set(d, bounds.WeightOffset);
+    SetupVector farthest = hn::Zero(d);
+    for (int i = 0; i < 4; ++i)
+    {
+      this->At[i] = hn::MulAdd(scale, c.Corner[i][2], offset);
+      farthest = hn::Max(farthest, hn::Abs(c.Corner[i][2]));
+    }
+    this->Least = hn::Min(hn::Min(this->At[0], this->At[1]), hn::Min(this->At[2], this->At[3]));
+    this->ScreenDepthRounding = hn::Mul(farthest, hn::Set(d, SetupBounds::FloatRounding));
   }
 };
 
@@ -106,19 +134,26 @@ inline SetupVector SetUpBox(
   return begin;
 }
 
-/// Planes of the faces; returns the lanes in which one is too steep.
-inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, SetupVector dx, SetupVector dy,
-  const SetupBounds& bounds, int lane, TileGroup& group)
+/// Planes of the faces; returns the lanes in which one is too steep. `steps`: see TileMesh.
+inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, const SetupWeights& weights,
+  SetupVector dx, SetupVector dy, const SetupBounds& bounds, const int* steps, int lane,
+  TileGroup& group)
 {
   const SetupFloat d;
   const SetupInt di;
   auto tooSteep = hn::Lt(hn::Zero(d), hn::Zero(d));
   auto entries = hn::Zero(di);
+  const auto stepFaces = hn::Load(di, steps + lane);
+  const auto perDepth = hn::Mul(weights.Least, weights.Least);
+  const auto steep = hn::Mul(hn::Set(d, bounds.Steep), perDepth);
+  const auto steepStep = hn::Mul(hn::Set(d, bounds.SteepStep), perDepth);
   for (int f = 0; f < 4; ++f)
   {
     const auto& n = c.Normal[f];
     const auto slope = hn::Add(hn::Abs(n[0]), hn::Abs(n[1]));
-    const auto steepest = hn::Mul(hn::Set(d, bounds.Steepest), hn::Abs(n[2]));
+    const auto bit = hn::Set(di, 1 << f);
+    const auto isStep = hn::RebindMask(d, hn::Eq(hn::And(stepFaces, bit), bit));
+    const auto steepest = hn::Mul(hn::IfThenElse(isStep, steepStep, steep), hn::Abs(n[2]));
     tooSteep = hn::Or(tooSteep, hn::Not(hn::Le(slope, steepest)));
     const auto inverse = hn::Div(hn::Set(d, 1.0f), n[2]);
     const auto a = hn::Mul(n[0], inverse), b = hn::Mul(n[1], inverse);
@@ -129,15 +164,15 @@ inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, SetupVector dx, S
     hn::Store(hn::Neg(a), d, group.A[f] + lane);
     hn::Store(hn::Neg(b), d, group.B[f] + lane);
     const auto enters = hn::Lt(hn::Mul(n[2], c.Volume), hn::Zero(d));
-    entries = hn::Or(entries, hn::IfThenElseZero(hn::RebindMask(di, enters), hn::Set(di, 1 << f)));
+    entries = hn::Or(entries, hn::IfThenElseZero(hn::RebindMask(di, enters), bit));
   }
   hn::Store(entries, di, group.Entries + lane);
   return tooSteep;
 }
 
 /// The scalar; returns the lanes in which it changes too fast.
-inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, SetupVector dx, SetupVector dy,
-  const SetupBounds& bounds, int lane, TileGroup& group)
+inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, const SetupWeights& weights,
+  SetupVector dx, SetupVector dy, const SetupBounds& bounds, int lane, TileGroup& group)
 {
   const SetupFloat d;
   const auto scale = hn::Set(d, bounds.WeightScale), offset = hn::Set(d, bounds.WeightOffset);
@@ -146,8 +181,7 @@ inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, SetupVector dx, S
   SetupVector gradient[3] = { hn::Zero(d), hn::Zero(d), hn::Zero(d) };
   for (int i = 1; i < 4; ++i)
   {
-    const auto weight = hn::MulAdd(scale, c.Corner[i][2], offset);
-    const auto rise = hn::Mul(hn::Mul(hn::Sub(c.Corner[i][3], first), weight), inverse);
+    const auto rise = hn::Mul(hn::Mul(hn::Sub(c.Corner[i][3], first), weights.At[i]), inverse);
     for (int k = 0; k < 3; ++k)
     {
       gradient[k] = hn::MulAdd(c.Normal[i][k], rise, gradient[k]);
@@ -160,13 +194,13 @@ inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, SetupVector dx, S
   hn::Store(
     hn::MulAdd(gradient[0], dx, hn::MulAdd(gradient[1], dy, atCorner)), d, group.ScalarP + lane);
   const auto change = hn::MulAdd(hn::Add(hn::Abs(gradient[0]), hn::Abs(gradient[1])),
-    hn::Set(d, bounds.PixelRounding),
-    hn::Mul(hn::Abs(gradient[2]), hn::Set(d, bounds.ScreenDepthRounding)));
-  return hn::Not(hn::Le(change, offset));
+    hn::Set(d, SetupBounds::PixelRounding),
+    hn::Mul(hn::Abs(gradient[2]), weights.ScreenDepthRounding));
+  return hn::Not(hn::Le(change, hn::Mul(weights.Least, hn::Set(d, SetupBounds::ScalarError))));
 }
 
 inline void SetUpLanes(const TileRecords& records, int lane, const TileRectangle& tile,
-  const SetupBounds& bounds, TileGroup& group)
+  const SetupBounds& bounds, const int* steps, TileGroup& group)
 {
   const SetupFloat d;
   const SetupInt di;
@@ -176,13 +210,14 @@ inline void SetUpLanes(const TileRecords& records, int lane, const TileRectangle
     records.Load(d, corner, lane, c.Corner[corner]);
   }
   c.Build();
+  const SetupWeights weights(c, bounds);
   const auto x =
     SetUpBox(c, 0, tile.Left, tile.FirstX, tile.LastX, group.Left + lane, group.Width + lane);
   const auto y =
     SetUpBox(c, 1, tile.Bottom, tile.FirstY, tile.LastY, group.Bottom + lane, group.Height + lane);
   const auto dx = hn::Sub(x, c.Corner[0][0]), dy = hn::Sub(y, c.Corner[0][1]);
-  const auto tooSteep = SetUpPlanes(c, dx, dy, bounds, lane, group);
-  const auto tooFast = SetUpScalar(c, dx, dy, bounds, lane, group);
+  const auto tooSteep = SetUpPlanes(c, weights, dx, dy, bounds, steps, lane, group);
+  const auto tooFast = SetUpScalar(c, weights, dx, dy, bounds, lane, group);
   const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
   hn::Store(hn::IfThenElseZero(exact, hn::Set(di, 1)), di, group.Exact + lane);
 }
@@ -192,9 +227,11 @@ inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const Se
 {
   TileRecords records;
   int ids[TileGroup::Size];
+  HWY_ALIGN int steps[TileGroup::Size];
   for (int k = 0; k < TileGroup::Size; ++k)
   {
     ids[k] = cells[std::min(k, count - 1)];
+    steps[k] = task.Mesh->Steps[ids[k]];
   }
   records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
   if (!task.Mesh->CellScalars.empty())
@@ -209,7 +246,7 @@ inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const Se
   }
   for (int lane = 0; lane < TileGroup::Size; lane += static_cast<int>(hn::Lanes(SetupFloat())))
   {
-    SetUpLanes(records, lane, tile, bounds, group);
+    SetUpLanes(records, lane, tile, bounds, steps, group);
   }
 }
 }

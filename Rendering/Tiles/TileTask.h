@@ -24,6 +24,8 @@ struct TileTask
   const TileLimits* Limits = nullptr;
   /** Pieces may overlap by this much of u without being called out of order. */
   float Tolerance = 0.0f;
+  /** The greatest optical depth of a ray through the mesh, at most. */
+  double OpticalDepth = 0.0;
   /** Whether the medium is so dense that every cell is set up in double. */
   bool AllExact = false;
   /** Premultiplied RGBA, View->Width x View->Height. */

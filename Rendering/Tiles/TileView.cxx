@@ -46,7 +46,12 @@ bool TileView::Build(const Camera& camera)
   const double nearDepth = ClipDepth(clipToView, -1.0);
   const double farDepth = ClipDepth(clipToView, 1.0);
   this->IsParallel = camera.ViewToClip[2][3] == 0.0;
-  this->Reference = std::min(std::max(-camera.MeshToView[3].z, nearDepth), farDepth);
+  // Mesh coordinates lie within [-1, 1].
+  const glm::dvec4 row = glm::row(camera.MeshToView, 2);
+  const double radius = std::abs(row.x) + std::abs(row.y) + std::abs(row.z);
+  const double center = -camera.MeshToView[3].z;
+  // Of a mesh about the eye a place before it: beside 1 / depth at the eye a float keeps no digit.
+  this->Reference = std::min(std::max({ center, 0.5 * radius, nearDepth }), farDepth);
   this->WeightScale = this->IsParallel ? 0.0 : 1.0;
   this->WeightOffset = 1.0;
   if (!this->IsParallel)
@@ -56,17 +61,14 @@ bool TileView::Build(const Camera& camera)
   }
   this->NearU = this->ScreenDepth(nearDepth);
   this->FarU = this->ScreenDepth(farDepth);
-  // Mesh coordinates lie within [-1, 1].
-  const glm::dvec4 row = glm::row(camera.MeshToView, 2);
-  const double radius = std::abs(row.x) + std::abs(row.y) + std::abs(row.z);
-  const double center = -camera.MeshToView[3].z;
-  this->ExtentU = this->ScreenDepth(std::min(std::max(center - radius, nearDepth), farDepth)) -
-                  this->ScreenDepth(std::max(std::min(center + radius, farDepth), nearDepth));
+  this->Extent = 2.0 * radius;
+  const double deepest = std::max(std::min(center + radius, farDepth), nearDepth);
+  this->FarWeight = this->WeightScale * this->ScreenDepth(deepest) + this->WeightOffset;
   this->SetScreen(camera);
   this->SetRays(camera);
   const glm::dvec3 middle =
     this->Ray[0] + 0.5 * this->Width * this->Ray[1] + 0.5 * this->Height * this->Ray[2];
-  this->LengthOfExtent = 2.0 * radius * glm::length(middle);
+  this->LengthOfExtent = this->Extent * glm::length(middle);
   return IsInvertible(this->MeshToScreen);
 }
 

@@ -50,10 +50,11 @@ public:
   /** Whether a cell keeps its orientation on the screen. */
   bool KeepsOrientation = true;
   double WeightScale = 0.0, WeightOffset = 1.0;
-  /** Near and far plane, and what the mesh's own extent is at most. */
-  double NearU = 0.0, FarU = 0.0, ExtentU = 0.0;
-  /** The greatest world length of a piece per its part of ExtentU, about. */
-  double LengthOfExtent = 0.0;
+  /** Near and far plane. */
+  double NearU = 0.0, FarU = 0.0;
+  /** How deep the mesh is at most, along the view axis and as a world length along a ray; the
+   *  weight of its far end. */
+  double Extent = 0.0, LengthOfExtent = 0.0, FarWeight = 1.0;
   int Width = 1, Height = 1;
 
   /** The direction of a ray in the world per depth, at pixel 0, 0; its change in x and in y. */

@@ -71,7 +71,7 @@ bool TilesEngine::Transform(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> TilesEngine::FrontToBack(const std::vector<int>& backToFront) const
+std::vector<int> TilesEngine::FrontToBack(const std::vector<vtkIdType>& backToFront) const
 {
   std::vector<int> own(backToFront.size());
   for (int cell = 0; cell < this->Mesh.GetNumberOfCells(); ++cell)
@@ -80,7 +80,7 @@ std::vector<int> TilesEngine::FrontToBack(const std::vector<int>& backToFront) c
   }
   std::vector<int> order(backToFront.size());
   std::transform(backToFront.rbegin(), backToFront.rend(), order.begin(),
-    [&](int source) { return own[source]; });
+    [&](vtkIdType source) { return own[source]; });
   return order;
 }
 
@@ -115,8 +115,10 @@ void TilesEngine::SetTask(const Scene& scene)
   this->Task.Limits = this->Limits.Build(this->View, scene.OpaqueDepth, scene.ClippingPlanes)
                         ? &this->Limits
                         : nullptr;
-  this->Task.Tolerance = static_cast<float>(
-    this->View.ExtentU * std::max(std::min(OrderTolerance / depth, 1e-3), FloatResolution));
+  this->Task.Tolerance =
+    static_cast<float>(this->View.Extent * this->View.FarWeight * this->View.FarWeight *
+                       std::max(std::min(OrderTolerance / depth, 1e-3), FloatResolution));
+  this->Task.OpticalDepth = depth;
   this->Task.AllExact = depth > DenseMedium;
   this->Task.Image = this->Image.data();
 }

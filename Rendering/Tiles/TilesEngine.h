@@ -20,6 +20,8 @@
 #include "TileVertices.h"
 #include "TileView.h"
 
+#include "vtkType.h"
+
 #include <glm/vec4.hpp>
 
 #include <cstddef>
@@ -38,7 +40,7 @@ public:
     const float* OpaqueDepth = nullptr;
     std::vector<glm::vec4> ClippingPlanes;
     /** The cells of the mesh that was given from back to front; null: found within each tile. */
-    const std::vector<int>* BackToFront = nullptr;
+    const std::vector<vtkIdType>* BackToFront = nullptr;
   };
 
   void SetMesh(const std::vector<float>& points, const std::vector<int>& corners);
@@ -62,7 +64,7 @@ private:
   void SetTask(const Scene& scene);
   void Project();
   void DrawTile(int tile, TileScratch& scratch);
-  std::vector<int> FrontToBack(const std::vector<int>& backToFront) const;
+  std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
 
   TileMesh Mesh;
   TileView View;

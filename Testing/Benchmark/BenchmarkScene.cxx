@@ -70,7 +70,7 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeCurvilinear()
   return Unstructured(grid);
 }
 
-void SetProperty(vtkVolumeProperty* property, const double range[2], double diagonal)
+void SetProperty(vtkVolumeProperty* property, const double range[2], double diagonal, bool spiky)
 {
   vtkNew<vtkColorTransferFunction> color;
   vtkNew<vtkPiecewiseFunction> opacity;
@@ -78,9 +78,21 @@ void SetProperty(vtkVolumeProperty* property, const double range[2], double diag
   color->AddRGBPoint(at(0.0), 0.1, 0.2, 0.8);
   color->AddRGBPoint(at(0.35), 0.2, 0.9, 0.9);
   color->AddRGBPoint(at(1.0), 1.0, 0.3, 0.1);
-  opacity->AddPoint(at(0.0), 0.02);
-  opacity->AddPoint(at(0.3), 0.2);
-  opacity->AddPoint(at(1.0), 1.0);
+  if (spiky)
+  {
+    for (const double middle : { 0.2, 0.5, 0.8 })
+    {
+      opacity->AddPoint(at(middle - 0.02), 0.0);
+      opacity->AddPoint(at(middle), 5.0);
+      opacity->AddPoint(at(middle + 0.02), 0.0);
+    }
+  }
+  else
+  {
+    opacity->AddPoint(at(0.0), 0.02);
+    opacity->AddPoint(at(0.3), 0.2);
+    opacity->AddPoint(at(1.0), 1.0);
+  }
   property->SetColor(color);
   property->SetScalarOpacity(opacity);
   property->SetScalarOpacityUnitDistance(diagonal / 20.0);
@@ -135,12 +147,12 @@ vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid)
 
 //------------------------------------------------------------------------------
 BenchmarkScene::BenchmarkScene(
-  vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size)
+  vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size, bool spiky)
 {
   double range[2];
   grid->GetScalarRange(range);
   mapper->SetInputData(grid);
-  SetProperty(this->Volume->GetProperty(), range, grid->GetLength());
+  SetProperty(this->Volume->GetProperty(), range, grid->GetLength(), spiky);
   this->Volume->SetMapper(mapper);
   this->Renderer->AddVolume(this->Volume);
   this->Window->SetOffScreenRendering(1);

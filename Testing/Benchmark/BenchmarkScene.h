@@ -34,7 +34,9 @@ vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid);
 class BenchmarkScene
 {
 public:
-  BenchmarkScene(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size);
+  /// `spiky`: opacity in three narrow spikes, not everywhere.
+  BenchmarkScene(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size,
+    bool spiky = false);
 
   /// Renders until the driver is done and returns the seconds. The eye moves with `frame`.
   double TimeFrame(int frame);

@@ -1,8 +1,8 @@
-// Mappers: ours and VTK's projected tetrahedra on the same mesh, views and transfer function,
-// frames interleaved, each one's error against the float64 oracle in the same row. Sorts: every
-// visibility sort on the same meshes and eyes. Cuts: what convexification costs and gives.
-// Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra. Simplification:
-// levels of a mesh, as CSV. Shells: the paper's tables.
+// Mappers: ours by both engines and VTK's projected tetrahedra on the same meshes, views and
+// transfer functions, frames interleaved, each one's error against the float64 oracle in the same
+// row. Sorts: every visibility sort on the same meshes and eyes. Cuts: what convexification costs
+// and gives. Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
+// Simplification: levels of a mesh, as CSV. Shells: the paper's tables.
 //   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|shells]]; the
 //   data's folder is in CELLPROJECTION_DATA
 
@@ -26,6 +26,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 
 namespace
 {
@@ -63,10 +64,44 @@ vtkSmartPointer<vtkImageData> CaptureWindow(BenchmarkScene& scene, vtkImageData*
   return image;
 }
 
-void MeasureError(const MapperPointer& mapper, vtkUnstructuredGrid* grid,
-  vtkCellProjectionOracle* oracle, const Capture& capture, Row& row)
+// What a mapper of ours drew before it was blended into the window.
+vtkSmartPointer<vtkImageData> CaptureOurs(BenchmarkScene& scene, vtkImageData*)
 {
-  BenchmarkScene scene(mapper, grid, ErrorSize);
+  return vtkConvexCellMapper::SafeDownCast(scene.Volume->GetMapper())->GetCapturedImage();
+}
+
+MapperPointer MakeOurs(int engine)
+{
+  auto mapper = vtkSmartPointer<vtkPreIntegratedTetrahedraMapper>::New();
+  mapper->SetEngine(engine);
+  return mapper;
+}
+
+// A mapper of the comparison.
+struct Contender
+{
+  std::string Name;
+  std::function<MapperPointer()> Make;
+  Capture Captures;
+};
+
+std::vector<Contender> Contenders()
+{
+  return { { "ours, Tiles", [] { return MakeOurs(vtkConvexCellMapper::TILES); }, CaptureOurs },
+    { "ours, Raster", [] { return MakeOurs(vtkConvexCellMapper::RASTER); }, CaptureOurs },
+    { "VTK projected tetrahedra",
+      [] { return vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(); }, CaptureWindow } };
+}
+
+void MeasureError(const Contender& contender, vtkUnstructuredGrid* grid, bool spiky,
+  vtkCellProjectionOracle* oracle, Row& row)
+{
+  const MapperPointer mapper = contender.Make();
+  if (auto* ours = vtkConvexCellMapper::SafeDownCast(mapper))
+  {
+    ours->CaptureImageOn();
+  }
+  BenchmarkScene scene(mapper, grid, ErrorSize, spiky);
   // Of the first frame of VTK's projected tetrahedra a part is missing.
   scene.TimeFrame(0);
   scene.TimeFrame(0);
@@ -78,26 +113,34 @@ void MeasureError(const MapperPointer& mapper, vtkUnstructuredGrid* grid,
     oracle->SetSize(ErrorSize, ErrorSize);
     oracle->Update();
   }
-  oracle->Compare(capture(scene, oracle->GetImage()));
+  oracle->Compare(contender.Captures(scene, oracle->GetImage()));
   row.RootMeanSquare = oracle->GetRootMeanSquareError();
   row.Percentile = oracle->GetPercentileError();
   row.Maximum = oracle->GetMaximumError();
   row.Share = oracle->GetShareAboveHalfLevel();
 }
 
-// Interleaved, so that whatever else the machine does meets both.
-void MeasureSpeed(vtkPreIntegratedTetrahedraMapper* ours, vtkUnstructuredGridVolumeMapper* theirs,
-  vtkUnstructuredGrid* grid, int frames, Row (&rows)[2])
+// Interleaved, so that whatever else the machine does meets all.
+void MeasureSpeed(const std::vector<Contender>& contenders, vtkUnstructuredGrid* grid, bool spiky,
+  int frames, std::vector<Row>& rows)
 {
-  BenchmarkScene ourScene(ours, grid, ImageSize);
-  BenchmarkScene theirScene(theirs, grid, ImageSize);
-  rows[0].First = ourScene.TimeFrame(0);
-  rows[0].Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
-  rows[1].First = theirScene.TimeFrame(0);
+  std::vector<std::unique_ptr<BenchmarkScene>> scenes;
+  for (size_t i = 0; i < contenders.size(); ++i)
+  {
+    const MapperPointer mapper = contenders[i].Make();
+    scenes.push_back(std::make_unique<BenchmarkScene>(mapper, grid, ImageSize, spiky));
+    rows[i].First = scenes.back()->TimeFrame(0);
+    if (auto* ours = vtkConvexCellMapper::SafeDownCast(mapper))
+    {
+      rows[i].Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
+    }
+  }
   for (int frame = 1; frame <= frames; ++frame)
   {
-    rows[0].Seconds.push_back(ourScene.TimeFrame(frame));
-    rows[1].Seconds.push_back(theirScene.TimeFrame(frame));
+    for (size_t i = 0; i < contenders.size(); ++i)
+    {
+      rows[i].Seconds.push_back(scenes[i]->TimeFrame(frame));
+    }
   }
 }
 
@@ -109,35 +152,39 @@ void Print(const Row& row, double peer, vtkIdType cells)
     row.RootMeanSquare, row.Percentile, row.Maximum, 100.0 * row.Share);
 }
 
-void CompareMappers(const BenchmarkMesh& mesh, int frames)
+void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
 {
   const vtkIdType cells = mesh.Grid->GetNumberOfCells();
-  std::printf("%s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at %d x %d\n",
-    mesh.Name.c_str(), static_cast<long long>(cells), ImageSize, ImageSize, frames, ErrorSize,
-    ErrorSize);
-
-  vtkNew<vtkPreIntegratedTetrahedraMapper> ours;
-  auto theirs = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
-  Row rows[2];
-  rows[0].Name = "ours, Raster";
-  rows[1].Name = "VTK projected tetrahedra";
-  MeasureSpeed(ours, theirs, mesh.Grid, frames, rows);
+  std::printf("%s, %s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at "
+              "%d x %d\n",
+    mesh.Name.c_str(), spiky ? "spiky" : "smooth", static_cast<long long>(cells), ImageSize,
+    ImageSize, frames, ErrorSize, ErrorSize);
+  const std::vector<Contender> contenders = Contenders();
+  std::vector<Row> rows(contenders.size());
+  MeasureSpeed(contenders, mesh.Grid, spiky, frames, rows);
   vtkNew<vtkCellProjectionOracle> oracle;
-  vtkNew<vtkPreIntegratedTetrahedraMapper> captured;
-  captured->CaptureImageOn();
-  MeasureError(
-    captured.GetPointer(), mesh.Grid, oracle,
-    [&](BenchmarkScene&, vtkImageData*)
-    { return vtkSmartPointer<vtkImageData>(captured->GetCapturedImage()); },
-    rows[0]);
-  MeasureError(vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(), mesh.Grid, oracle,
-    CaptureWindow, rows[1]);
-
   std::printf("%-28s %9s %9s %9s %8s %7s %9s %9s %9s %7s\n", "mapper", "median ms", "first ms",
     "prepare", "Mtets/s", "ratio", "RMSE", "99.9 %", "maximum", "% > .5");
-  for (const Row& row : rows)
+  for (size_t i = 0; i < contenders.size(); ++i)
   {
-    Print(row, Median(rows[1].Seconds), cells);
+    rows[i].Name = contenders[i].Name;
+    MeasureError(contenders[i], mesh.Grid, spiky, oracle, rows[i]);
+    Print(rows[i], Median(rows.back().Seconds), cells);
+  }
+}
+
+void CompareMappersOnMeshes(const BenchmarkMesh& mesh, int frames)
+{
+  std::vector<BenchmarkMesh> meshes{ mesh };
+  for (const int cells : { 32, 62 })
+  {
+    meshes.push_back({ "a jittered lattice", SortBenchmark::MakeLattice(cells) });
+    SortMeshes::AddScalar(meshes.back().Grid);
+  }
+  for (const BenchmarkMesh& each : meshes)
+  {
+    CompareMappers(each, false, frames);
+    CompareMappers(each, true, frames);
   }
 }
 
@@ -193,7 +240,7 @@ int main(int argc, char* argv[])
   const std::string section = argc > 2 ? argv[2] : "";
   if (section.empty() || section == "mappers")
   {
-    CompareMappers(mesh, frames);
+    CompareMappersOnMeshes(mesh, frames);
   }
   if (section.empty() || section == "sorts")
   {

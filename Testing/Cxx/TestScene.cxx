@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 //------------------------------------------------------------------------------
 void TestChecks::Check(bool good, const char* text, int line, const std::string& found)
@@ -44,6 +45,12 @@ TestScene::TestScene(int width, int height)
 {
   vtkNew<FaceOrderSort> sort;
   this->GetTetrahedraMapper()->SetVisibilitySort(sort);
+  const char* engine = std::getenv("CELLPROJECTION_TEST_ENGINE");
+  if (engine)
+  {
+    this->Mapper->SetEngine(
+      std::string(engine) == "Raster" ? vtkConvexCellMapper::RASTER : vtkConvexCellMapper::TILES);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -58,6 +58,7 @@ class TestScene
 {
 public:
   /// With a vtkPreIntegratedTetrahedraMapper and a sort that is right for every mesh.
+  /// The engine is that of CELLPROJECTION_TEST_ENGINE, Raster or Tiles, where that is set.
   explicit TestScene(int width = 128, int height = 128);
   explicit TestScene(vtkConvexCellMapper* mapper, int width = 128, int height = 128);
 

@@ -105,7 +105,12 @@ int TestUnsupported(int, char*[])
       s.Mapper->GetInput()->GetPointData()->SetScalars(three);
       s.Property->IndependentComponentsOff();
     });
-  CheckWarning(checks, "Tiles engine", [](TestScene& s) { s.Mapper->SetEngineToTiles(); });
+  CheckWarning(checks, "The Tiles engine does not draw by table",
+    [](TestScene& s)
+    {
+      s.Mapper->SetEngineToTiles();
+      s.GetTetrahedraMapper()->SetIntegrationToTable();
+    });
   CheckBlendModes(checks);
   CheckSelectionPass(checks);
   return checks.Result();

@@ -31,7 +31,7 @@ public:
   vtkSmartPointer<vtkImageData> CopyTiles() const;
 
   TilesEngine Engine;
-  std::vector<int> BackToFront;
+  std::vector<vtkIdType> BackToFront;
   std::vector<float> OpaqueDepth;
   bool CellScalars = false;
 

@@ -1,0 +1,86 @@
+#include "TetrahedraTiles.h"
+
+#include "BackToFrontOrder.h"
+#include "CellProjectionFrame.h"
+#include "PreparedVolume.h"
+#include "TetrahedraSelection.h"
+#include "VolumePropertyReader.h"
+#include "vtkVolume.h"
+#include "vtkVolumeProperty.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+std::string TetrahedraTiles::FindObstacle(const CellProjectionFrame& frame)
+{
+  if (std::max(frame.Size[0], frame.Size[1]) > TileSize::LargestImage)
+  {
+    return "viewports of more than " + std::to_string(TileSize::LargestImage) + " pixels";
+  }
+  vtkVolumeProperty* property = frame.Volume->GetProperty();
+  if (property->GetShade())
+  {
+    return "with light";
+  }
+  if (VolumePropertyReader(property).HasGradientOpacity())
+  {
+    return "with gradient opacity";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
+  const vtkTimeStamp& selectionTime)
+{
+  const bool newCells = this->CellsTime < prepared.CellsTime;
+  if (newCells)
+  {
+    this->Engine.SetMesh(prepared.Coordinates.Points, selection.Corners);
+    this->CellsTime.Modified();
+  }
+  if (newCells || this->ScalarsTime < prepared.ScalarsTime)
+  {
+    this->Engine.SetScalars(prepared.Scalars.Values, prepared.Scalars.OnePerCell);
+    this->ScalarsTime.Modified();
+  }
+  if (newCells || this->SelectionTime < selectionTime)
+  {
+    std::vector<unsigned char> drawn(static_cast<size_t>(selection.GetNumberOfCells()));
+    for (vtkIdType cell = 0; cell < selection.GetNumberOfCells(); ++cell)
+    {
+      drawn[cell] = selection.IsDrawn(cell) ? 1 : 0;
+    }
+    this->Engine.SetDrawn(drawn);
+    this->SelectionTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TetrahedraTiles::CountFlatCells() const
+{
+  const std::vector<signed char>& orientations = this->Engine.GetMesh().Orientations;
+  return std::count(orientations.begin(), orientations.end(), 0);
+}
+
+//------------------------------------------------------------------------------
+const float* TetrahedraTiles::Draw(
+  CellProjectionFrame& frame, const PreparedVolume& prepared, const BackToFrontOrder* order)
+{
+  TilesEngine::Scene scene;
+  scene.Camera.MeshToView = frame.Rays.MeshToView;
+  scene.Camera.ViewToClip = frame.Rays.ViewToClip;
+  scene.Camera.ViewToWorld = frame.Rays.ViewToWorld;
+  scene.Camera.Width = frame.Size[0];
+  scene.Camera.Height = frame.Size[1];
+  scene.Function = &prepared.Function;
+  scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
+  scene.ClippingPlanes = frame.ClippingPlanes;
+  scene.BackToFront = order ? &order->Cells : nullptr;
+  if (!this->Engine.Render(scene))
+  {
+    return nullptr;
+  }
+  frame.Statistics.RepairedPixels = this->Engine.GetCounts().RepairedPixels;
+  return this->Engine.GetImage().data();
+}

@@ -1,0 +1,43 @@
+#ifndef TetrahedraTiles_h
+#define TetrahedraTiles_h
+
+#include "Tiles/TilesEngine.h"
+#include "vtkTimeStamp.h"
+
+#include <string>
+#include <vector>
+
+class BackToFrontOrder;
+class TetrahedraSelection;
+struct CellProjectionFrame;
+struct PreparedVolume;
+
+/**
+ * @class TetrahedraTiles
+ * @brief Tiles engine for tetrahedra: hands it what a mapper has prepared, as often as that
+ * changes.
+ */
+class TetrahedraTiles
+{
+public:
+  /// What keeps the engine from drawing this frame, whatever the mapper; empty where nothing does.
+  static std::string FindObstacle(const CellProjectionFrame& frame);
+
+  /// Takes cells, scalars and the cells worth drawing where they are newer than what it has.
+  void Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
+    const vtkTimeStamp& selectionTime);
+
+  /// Premultiplied RGBA of the viewport's size; null where it cannot. `order` null: the engine
+  /// finds its own. Sets the frame's RepairedPixels.
+  const float* Draw(
+    CellProjectionFrame& frame, const PreparedVolume& prepared, const BackToFrontOrder* order);
+
+  /// Cells that are flat once their points are floats: they are not drawn.
+  vtkIdType CountFlatCells() const;
+
+private:
+  TilesEngine Engine;
+  vtkTimeStamp CellsTime, ScalarsTime, SelectionTime;
+};
+
+#endif
