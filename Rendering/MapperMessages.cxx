@@ -53,6 +53,18 @@ std::string ExcessPlanes(vtkPlaneCollection* planes)
 }
 
 //------------------------------------------------------------------------------
+std::string FlatTetrahedra(vtkIdType count)
+{
+  if (count == 0)
+  {
+    return "";
+  }
+  return std::to_string(count) +
+         " tetrahedra are too small beside the whole mesh for its float coordinates: they are not "
+         "drawn; render their part of the mesh on its own.";
+}
+
+//------------------------------------------------------------------------------
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars)
 {
   const std::string name = array->GetName() ? array->GetName() : "(without a name)";

@@ -1,6 +1,8 @@
 #ifndef MapperMessages_h
 #define MapperMessages_h
 
+#include "vtkType.h"
+
 #include <string>
 
 class ScalarField;
@@ -20,6 +22,9 @@ std::string RendererProblem(vtkRenderer* renderer);
 
 /// That there are more planes than clip; empty where all do.
 std::string ExcessPlanes(vtkPlaneCollection* planes);
+
+/// That so many have no volume as floats; empty where none has.
+std::string FlatTetrahedra(vtkIdType count);
 
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars);
 }

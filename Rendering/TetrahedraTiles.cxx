@@ -22,6 +22,10 @@ std::string TetrahedraTiles::FindObstacle(const CellProjectionFrame& frame)
   {
     return "with light";
   }
+  if (!property->GetIndependentComponents())
+  {
+    return "dependent components";
+  }
   if (VolumePropertyReader(property).HasGradientOpacity())
   {
     return "with gradient opacity";

@@ -152,8 +152,7 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   VolumePropertyReader reader(frame.Volume->GetProperty());
   const int components = (own ? own : choice.Array)->GetNumberOfComponents();
   const bool onePerCell = !own && choice.OnePerCell;
-  for (const std::string& text :
-    reader.FindUnsupported(components, onePerCell, this->CanShade()))
+  for (const std::string& text : reader.FindUnsupported(components, onePerCell, this->CanShade()))
   {
     this->WarnOnce(text);
   }
@@ -213,11 +212,7 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
       "The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
     return false;
   }
-  const std::string excess = MapperMessages::ExcessPlanes(this->ClippingPlanes);
-  if (!excess.empty())
-  {
-    this->WarnOnce(excess);
-  }
+  this->WarnOnce(MapperMessages::ExcessPlanes(this->ClippingPlanes));
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);
   return true;
 }
@@ -355,7 +350,7 @@ const PreparedVolume& vtkConvexCellMapper::GetPreparedVolume() const
 //------------------------------------------------------------------------------
 void vtkConvexCellMapper::WarnOnce(const std::string& text)
 {
-  if (this->Internal->Reported.insert(text).second)
+  if (!text.empty() && this->Internal->Reported.insert(text).second)
   {
     vtkWarningMacro(<< text);
   }

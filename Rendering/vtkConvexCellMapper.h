@@ -162,7 +162,7 @@ protected:
   const PreparedVolume& GetPreparedVolume() const;
 
   ///@{
-  /// One message for each different text.
+  /// One message for each different text; a warning without text is none.
   void WarnOnce(const std::string& text);
   void FailOnce(const std::string& text);
   ///@}

@@ -3,6 +3,7 @@
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
 #include "DrawnCells.h"
+#include "MapperMessages.h"
 #include "PreIntegrationTable.h"
 #include "PreparedVolume.h"
 #include "ShadingBuffers.h"
@@ -110,10 +111,7 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   std::string problem;
   internal.Shading.Prepare(
     frame, prepared, internal.Selection.Corners, internal.CornersTime, problem);
-  if (!problem.empty())
-  {
-    this->WarnOnce(problem);
-  }
+  this->WarnOnce(problem);
   const bool isLit = internal.Shading.IsLit;
   if (this->DrawsTable() &&
       (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
@@ -172,7 +170,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
     return true;
   }
   const std::vector<float> planes = TetrahedraPlanes::Planes(coordinates.Points, corners);
-  this->WarnOfFlatCells(TetrahedraPlanes::CountFlatCells(planes));
+  this->WarnOnce(MapperMessages::FlatTetrahedra(TetrahedraPlanes::CountFlatCells(planes)));
   const bool good = internal.Raster.UploadPoints(frame.Window, coordinates.Points) &&
                     internal.Raster.UploadCorners(frame.Window, corners) &&
                     internal.Raster.UploadPlanes(frame.Window, planes);
@@ -182,17 +180,6 @@ bool vtkPreIntegratedTetrahedraMapper::UploadCells(CellProjectionFrame& frame)
     internal.CellsUploaded.Modified();
   }
   return good;
-}
-
-//------------------------------------------------------------------------------
-void vtkPreIntegratedTetrahedraMapper::WarnOfFlatCells(vtkIdType count)
-{
-  if (count > 0)
-  {
-    this->WarnOnce(
-      std::to_string(count) + " tetrahedra are too small beside the whole mesh for its " +
-      "float coordinates: they are not drawn; render their part of the mesh on its own.");
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -350,7 +337,7 @@ const float* vtkPreIntegratedTetrahedraMapper::DrawTiles(CellProjectionFrame& fr
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
   internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime);
-  this->WarnOfFlatCells(internal.Tiles.CountFlatCells());
+  this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.CountFlatCells()));
   const bool hasOrder = internal.Sort || this->ReportOrder;
   return internal.Tiles.Draw(frame, prepared, hasOrder ? &internal.Order : nullptr);
 }
@@ -364,10 +351,9 @@ bool vtkPreIntegratedTetrahedraMapper::ProjectCells(CellProjectionFrame& frame)
   }
   TetrahedraRaster::View view;
   view.SamplesPerSegment = this->SamplesPerSegment;
-  view.Integration = this->Integration == AVERAGE ? SegmentIntegration::Average
-                     : this->DrawsTable() && this->UploadTable(frame)
-                       ? SegmentIntegration::Table
-                       : SegmentIntegration::Exact;
+  view.Integration = this->Integration == AVERAGE                     ? SegmentIntegration::Average
+                     : this->DrawsTable() && this->UploadTable(frame) ? SegmentIntegration::Table
+                                                                      : SegmentIntegration::Exact;
   static_cast<RasterView&>(view) = frame.GetRasterView();
   view.Shading = this->UploadShading(frame) ? &this->Internal->ShadingOnGPU : nullptr;
   view.Cells = &this->Internal->Drawn;

@@ -187,7 +187,6 @@ private:
 
   void PrepareTetrahedra(CellProjectionFrame& frame);
   void OrderCells(CellProjectionFrame& frame);
-  void WarnOfFlatCells(vtkIdType count);
   bool UploadCells(CellProjectionFrame& frame);
   bool UploadField(CellProjectionFrame& frame);
   bool UploadOrder();
