@@ -3,6 +3,7 @@
 
 #include "CellProjectionFrame.h"
 #include "FloatTarget.h"
+#include "MapperInput.h"
 #include "OpaqueDepth.h"
 #include "PreparedVolume.h"
 #include "VolumePropertyReader.h"
@@ -16,11 +17,13 @@
 #include "vtkSmartPointer.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
+#include "vtkVolumeProperty.h"
 #include "vtkWeakPointer.h"
 
 #include <array>
 #include <set>
 #include <string>
+#include <vector>
 
 /// What decides the normalised scalars, their values and the cells apart.
 struct ScalarSource
@@ -59,6 +62,8 @@ public:
     this->SeenPoints = times;
   }
 
+  MapperInput Input;
+  vtkUnstructuredGridBase* Mesh = nullptr; // the input of this frame
   vtkNew<vtkConvexCells> Cells;
   PreparedVolume Prepared;
   vtkMTimeType SeenCells = 0;

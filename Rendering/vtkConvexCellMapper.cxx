@@ -8,14 +8,10 @@
 #include "ScalarChoice.h"
 #include "SceneView.h"
 #include "VTKVersions.h"
-#include "VolumePropertyReader.h"
-#include "vtkCellArray.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkRenderer.h"
-#include "vtkUnstructuredGrid.h"
 #include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
 
 #include CELLPROJECTION_OPENGL_HEADER
 
@@ -116,11 +112,12 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
     return false;
   }
   vtkConvexCells* cells = this->Internal->Cells;
-  cells->SetInputData(this->GetInput());
+  MapperInput::Feed(this->Internal->Mesh, this, cells);
+  cells->SetTolerance(this->Tolerance);
   cells->SetTetrahedraOnly(this->NeedsTetrahedra());
   cells->SetKeepCells(this->KeepsCells());
   cells->Update();
-  frame.Statistics.CellsIn = this->GetInput()->GetNumberOfCells();
+  frame.Statistics.CellsIn = this->Internal->Mesh->GetNumberOfCells();
   frame.Statistics.CellsSkippedInvalid = cells->GetNumberOfSkippedCells();
   if (cells->GetNumberOfSkippedCells() > 0)
   {
@@ -131,18 +128,12 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-bool vtkConvexCellMapper::CheckInput()
-{
-  return this->PassesWithout(MapperMessages::InputProblem(this->GetInput()));
-}
-
-//------------------------------------------------------------------------------
 bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsPrepare);
   Internals& internal = *this->Internal;
   PreparedVolume& prepared = internal.Prepared;
-  const ScalarChoice choice(this, this->GetInput());
+  const ScalarChoice choice(this, internal.Mesh);
   vtkDataArray* own = this->GetOwnScalars();
   if (!own && !choice.Array)
   {
@@ -279,18 +270,6 @@ void vtkConvexCellMapper::SetBlendMode(int mode)
 }
 
 //------------------------------------------------------------------------------
-void vtkConvexCellMapper::Update()
-{
-  // Without an input VTK's pipeline would repeat its own error several times a frame.
-  if (this->GetNumberOfInputConnections(0) == 0)
-  {
-    this->CheckInput();
-    return;
-  }
-  this->Superclass::Update();
-}
-
-//------------------------------------------------------------------------------
 vtkImageData* vtkConvexCellMapper::GetCapturedImage()
 {
   return this->Internal->Captured;
@@ -376,16 +355,10 @@ bool vtkConvexCellMapper::PassesWithout(const std::string& problem)
 }
 
 //------------------------------------------------------------------------------
-int vtkConvexCellMapper::FillInputPortInformation(int port, vtkInformation* info)
-{
-  info->Set(vtkAlgorithm::INPUT_IS_OPTIONAL(), 1);
-  return this->Superclass::FillInputPortInformation(port, info);
-}
-
-//------------------------------------------------------------------------------
 void vtkConvexCellMapper::PrintSelf(ostream& os, vtkIndent indent)
 {
   this->Superclass::PrintSelf(os, indent);
   os << indent << "Engine: " << this->Engine << "\n";
+  os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "CaptureImage: " << this->CaptureImage << "\n";
 }

@@ -2,6 +2,7 @@
 #define vtkConvexCellMapper_h
 
 #include "vtkCellProjectionModule.h" // for export macro
+#include "vtkUnstructuredGridBase.h" // for SetInputData
 #include "vtkUnstructuredGridVolumeMapper.h"
 
 #include <memory> // for std::unique_ptr
@@ -81,6 +82,29 @@ public:
   void SetEngineToAutomatic() { this->SetEngine(AUTOMATIC); }
   void SetEngineToRaster() { this->SetEngine(RASTER); }
   void SetEngineToTiles() { this->SetEngine(TILES); }
+  ///@}
+
+  ///@{
+  /**
+   * Any vtkDataSet (unstructured, structured, rectilinear, image data) or composite data set. The
+   * blocks are drawn as one volume with one order; those that lack the chosen array, or have it
+   * with another type, are left out and named in one warning. GetInput() is null for all but
+   * unstructured grids: GetDataObjectInput() gives any.
+   */
+  void SetInputData(vtkUnstructuredGridBase* grid) override { this->SetInputDataInternal(0, grid); }
+  void SetInputData(vtkDataSet* data) override { this->SetInputDataInternal(0, data); }
+  void SetInputData(vtkDataObject* data) { this->SetInputDataInternal(0, data); }
+  ///@}
+
+  using vtkUnstructuredGridVolumeMapper::GetBounds;
+  double* GetBounds() VTK_SIZEHINT(6) override;
+
+  ///@{
+  /**
+   * How closely curved cells are followed, see vtkConvexCells. Default: 0.001.
+   */
+  vtkSetClampMacro(Tolerance, double, 1e-7, 1.0);
+  vtkGetMacro(Tolerance, double);
   ///@}
 
   ///@{
@@ -177,6 +201,7 @@ protected:
 
   int Engine = AUTOMATIC;
   bool CaptureImage = false;
+  double Tolerance = 1e-3;
 
 private:
   vtkConvexCellMapper(const vtkConvexCellMapper&) = delete;
