@@ -17,6 +17,7 @@ double DifferenceToFresh(TestScene& scene)
   scene.Render();
   auto kept = scene.CopyCaptured();
   vtkNew<vtkPreIntegratedTetrahedraMapper> fresh;
+  fresh->SetEngine(scene.Mapper->GetEngine());
   fresh->SetInputData(scene.Mapper->GetInput());
   fresh->SetVisibilitySort(scene.GetTetrahedraMapper()->GetVisibilitySort());
   fresh->SetClippingPlanes(scene.Mapper->GetClippingPlanes());

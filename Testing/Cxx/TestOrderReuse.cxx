@@ -71,6 +71,7 @@ double DifferenceToFresh(TestScene& scene)
   auto kept = scene.CopyCaptured();
   vtkNew<vtkPreIntegratedTetrahedraMapper> fresh;
   vtkNew<GroupSort> sort;
+  fresh->SetEngine(scene.Mapper->GetEngine());
   fresh->SetInputData(scene.Mapper->GetInput());
   fresh->SetVisibilitySort(sort);
   fresh->CaptureImageOn();
