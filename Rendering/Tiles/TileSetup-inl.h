@@ -36,6 +36,8 @@ struct SetupCorners
   SetupVector Corner[4][4]; // x, y, u, scalar
   SetupVector Edge[3][3];
   SetupVector Normal[4][3];
+  /// What the faces' projected areas are differences of.
+  SetupVector AreaTerms[4];
   SetupVector Volume;
 
   void Build()
@@ -56,15 +58,25 @@ struct SetupCorners
         const int k1 = (k + 1) % 3, k2 = (k + 2) % 3;
         this->Normal[i + 1][k] = hn::MulSub(a[k1], b[k2], hn::Mul(a[k2], b[k1]));
       }
+      this->AreaTerms[i + 1] = hn::Abs(hn::Mul(a[0], b[1]));
     }
     for (int k = 0; k < 3; ++k)
     {
       const auto sum = hn::Add(hn::Add(this->Normal[1][k], this->Normal[2][k]), this->Normal[3][k]);
       this->Normal[0][k] = hn::Neg(sum);
     }
+    this->AreaTerms[0] = hn::Max(hn::Max(this->AreaTerms[1], this->AreaTerms[2]),
+      this->AreaTerms[3]);
     this->Volume = hn::MulAdd(this->Edge[0][0], this->Normal[1][0],
       hn::MulAdd(
         this->Edge[0][1], this->Normal[1][1], hn::Mul(this->Edge[0][2], this->Normal[1][2])));
+  }
+
+  SetupVector DepthRange() const
+  {
+    const auto& c = this->Corner;
+    return hn::Sub(hn::Max(hn::Max(c[0][2], c[1][2]), hn::Max(c[2][2], c[3][2])),
+      hn::Min(hn::Min(c[0][2], c[1][2]), hn::Min(c[2][2], c[3][2])));
   }
 };
 
@@ -74,6 +86,8 @@ struct SetupBounds
   /// Change of depth per pixel beyond which the rounding of a corner shows: at a face where the
   /// scalar is continuous, and where it is not.
   float Steep, SteepStep;
+  /// Depth by which the rounding of a face's area may move it.
+  float Rounding;
   float WeightScale, WeightOffset;
 
   /// Rounding of a corner in pixels, and of u.
@@ -82,6 +96,8 @@ struct SetupBounds
   /// What is let pass in a normalised scalar and in an optical depth.
   static constexpr float ScalarError = 1e-5f;
   static constexpr double DepthError = 2e-5;
+  /// The same for the rounding of a face's area, which reaches a tenth of its bound.
+  static constexpr double AreaError = 2e-4;
 
   explicit SetupBounds(const TileTask& task)
     : Steep(static_cast<float>(task.View->Extent))
@@ -90,6 +106,8 @@ struct SetupBounds
   {
     const double share = DepthError / (PixelRounding * task.OpticalDepth);
     this->SteepStep = static_cast<float>(task.View->Extent * std::min(share, 1.0));
+    this->Rounding =
+      static_cast<float>(task.View->Extent * std::min(AreaError / task.OpticalDepth, 1.0));
   }
 };
 
@@ -134,7 +152,7 @@ inline SetupVector SetUpBox(
   return begin;
 }
 
-/// Planes of the faces; returns the lanes in which one is too steep. `steps`: see TileMesh.
+/// Planes of the faces; returns the lanes in which floats do not serve. `steps`: see TileMesh.
 inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, const SetupWeights& weights,
   SetupVector dx, SetupVector dy, const SetupBounds& bounds, const int* steps, int lane,
   TileGroup& group)
@@ -142,11 +160,13 @@ inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, const SetupWeight
   const SetupFloat d;
   const SetupInt di;
   auto tooSteep = hn::Lt(hn::Zero(d), hn::Zero(d));
+  const auto roundedPerArea = hn::Mul(c.DepthRange(), hn::Set(d, SetupBounds::FloatRounding));
   auto entries = hn::Zero(di);
   const auto stepFaces = hn::Load(di, steps + lane);
   const auto perDepth = hn::Mul(weights.Least, weights.Least);
   const auto steep = hn::Mul(hn::Set(d, bounds.Steep), perDepth);
   const auto steepStep = hn::Mul(hn::Set(d, bounds.SteepStep), perDepth);
+  const auto rounding = hn::Mul(hn::Set(d, bounds.Rounding), perDepth);
   for (int f = 0; f < 4; ++f)
   {
     const auto& n = c.Normal[f];
@@ -155,6 +175,9 @@ inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, const SetupWeight
     const auto isStep = hn::RebindMask(d, hn::Eq(hn::And(stepFaces, bit), bit));
     const auto steepest = hn::Mul(hn::IfThenElse(isStep, steepStep, steep), hn::Abs(n[2]));
     tooSteep = hn::Or(tooSteep, hn::Not(hn::Le(slope, steepest)));
+    // Of a sliver, where the area is what rounding leaves of a difference, the neighbours disagree.
+    const auto rounded = hn::Mul(roundedPerArea, c.AreaTerms[f]);
+    tooSteep = hn::Or(tooSteep, hn::Gt(rounded, hn::Mul(rounding, hn::Abs(n[2]))));
     const auto inverse = hn::Div(hn::Set(d, 1.0f), n[2]);
     const auto a = hn::Mul(n[0], inverse), b = hn::Mul(n[1], inverse);
     auto p = hn::NegMulAdd(a, dx, hn::NegMulAdd(b, dy, c.Corner[0][2]));
