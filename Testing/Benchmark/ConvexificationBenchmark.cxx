@@ -57,6 +57,8 @@ double TimeSort(vtkMPVOVisibilitySort* sort, vtkUnstructuredGrid* grid, int fram
 double TimeProjection(vtkUnstructuredGrid* grid, int frames)
 {
   vtkNew<vtkPreIntegratedTetrahedraMapper> mapper;
+  // The engine that takes the order of the sort.
+  mapper->SetEngineToRaster();
   vtkNew<vtkMPVOVisibilitySort> sort;
   sort->ConvexifyOff();
   mapper->SetVisibilitySort(sort);

@@ -103,7 +103,10 @@ void HexahedraBenchmark::AddRows()
   this->AddRow("one pass, mean emission", MakePolyhedra(1, true));
   this->AddRow(ThreePasses, MakePolyhedra(3, false));
   this->AddRow(Maximum, makeMaximum());
-  this->AddRow(OurTetrahedra, vtkNew<vtkPreIntegratedTetrahedraMapper>());
+  // All of a table are drawn by one engine.
+  vtkNew<vtkPreIntegratedTetrahedraMapper> ourTetrahedra;
+  ourTetrahedra->SetEngineToRaster();
+  this->AddRow(OurTetrahedra, ourTetrahedra);
   this->AddRow(TheirTetrahedra, vtkSmartPointer<vtkProjectedTetrahedraMapper>::New());
   auto theirMaximum = vtkSmartPointer<vtkProjectedTetrahedraMapper>::New();
   theirMaximum->SetBlendModeToMaximumIntensity();
