@@ -11,8 +11,6 @@
 namespace
 {
 constexpr vtkIdType Grain = 16384;
-// From here on std::sort is faster than insertion.
-constexpr vtkIdType LongRun = 16;
 
 double Evaluate(const PowerCells::Lift& lift, const double eye[4])
 {
@@ -132,21 +130,7 @@ void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, vtkIdType* order) cons
   {
     order[i] = items[i].Id;
   }
-  if (end - begin > LongRun)
-  {
-    std::sort(order + begin, order + end, isFarther);
-    return;
-  }
-  for (vtkIdType i = begin + 1; i < end; ++i)
-  {
-    const vtkIdType cell = order[i];
-    vtkIdType place = i;
-    for (; place > begin && isFarther(cell, order[place - 1]); --place)
-    {
-      order[place] = order[place - 1];
-    }
-    order[place] = cell;
-  }
+  std::sort(order + begin, order + end, isFarther);
 }
 
 //------------------------------------------------------------------------------
