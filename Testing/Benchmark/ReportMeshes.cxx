@@ -1,9 +1,8 @@
 #include "ReportMeshes.h"
 
 #include "MeshLattice.h"
+#include "RealMeshes.h"
 
-#include "vtkAppendFilter.h"
-#include "vtkCompositeDataIterator.h"
 #include "vtkDataArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkImageData.h"
@@ -31,23 +30,10 @@ using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 // One grid of all that a reader found, with one of its scalars alone.
 Grid Collect(vtkDataObject* data, const char* scalar)
 {
-  vtkNew<vtkAppendFilter> append;
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      append->AddInputData(vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()));
-    }
-  }
-  else
-  {
-    append->AddInputData(vtkDataSet::SafeDownCast(data));
-  }
-  append->Update();
+  const Grid all = RealMeshes::Append(data);
   auto grid = Grid::New();
-  grid->CopyStructure(append->GetOutput());
-  vtkPointData* points = append->GetOutput()->GetPointData();
+  grid->CopyStructure(all);
+  vtkPointData* points = all->GetPointData();
   grid->GetPointData()->SetScalars(scalar ? points->GetArray(scalar) : points->GetScalars());
   return grid;
 }

@@ -22,25 +22,11 @@ namespace
 {
 using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
 
-// One grid of all that a file holds.
+// Without data.
 Grid Collect(vtkDataObject* data)
 {
-  vtkNew<vtkAppendFilter> append;
-  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
-  {
-    auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
-    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
-    {
-      append->AddInputData(vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()));
-    }
-  }
-  else
-  {
-    append->AddInputData(vtkDataSet::SafeDownCast(data));
-  }
-  append->Update();
   auto grid = Grid::New();
-  grid->CopyStructure(append->GetOutput());
+  grid->CopyStructure(RealMeshes::Append(data));
   return grid;
 }
 
@@ -94,4 +80,24 @@ Grid RealMeshes::Read(const std::string& name)
   return structured          ? ReadPlot3D(folder + stem)
          : name == "diskOut" ? ReadExodus(file)
                              : ReadXML(file);
+}
+
+//------------------------------------------------------------------------------
+Grid RealMeshes::Append(vtkDataObject* data)
+{
+  vtkNew<vtkAppendFilter> append;
+  if (auto* blocks = vtkMultiBlockDataSet::SafeDownCast(data))
+  {
+    auto iterator = vtk::TakeSmartPointer(blocks->NewIterator());
+    for (iterator->InitTraversal(); !iterator->IsDoneWithTraversal(); iterator->GoToNextItem())
+    {
+      append->AddInputData(vtkDataSet::SafeDownCast(iterator->GetCurrentDataObject()));
+    }
+  }
+  else
+  {
+    append->AddInputData(vtkDataSet::SafeDownCast(data));
+  }
+  append->Update();
+  return append->GetOutput();
 }

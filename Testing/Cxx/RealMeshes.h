@@ -5,6 +5,7 @@
 
 #include <string>
 
+class vtkDataObject;
 class vtkUnstructuredGrid;
 
 /// Meshes from the pinned data.
@@ -13,6 +14,9 @@ namespace RealMeshes
 /// bluntFin, comb, post (PLOT3D hexahedra), can, fire, diskOut; null where CELLPROJECTION_DATA does
 /// not have the files, or this VTK no reader. Says why.
 vtkSmartPointer<vtkUnstructuredGrid> Read(const std::string& name);
+
+/// One grid of all the blocks that a reader found, with the data that they share.
+vtkSmartPointer<vtkUnstructuredGrid> Append(vtkDataObject* data);
 }
 
 #endif
