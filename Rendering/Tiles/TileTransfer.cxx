@@ -3,11 +3,16 @@
 #include "TransferFunction.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace
 {
 // Optical depths beyond this leave nothing of the light, and would leave the range of a float.
 constexpr double DeepestRay = 1e9;
+// Share of its value by which a node may lie beside the line of those before it, and of its
+// position.
+constexpr double Straight = 1e-6;
+constexpr double FloatStep = 1.2e-7;
 }
 
 //------------------------------------------------------------------------------
@@ -15,35 +20,86 @@ void TileTransfer::Build(const TransferFunction& function, double longest)
 {
   const std::vector<float>& positions = function.GetPositions();
   const std::vector<float>& values = function.GetValues();
-  const double greatest = longest > 0.0 ? DeepestRay / longest : DeepestRay;
-  this->NumberOfPieces = function.GetNumberOfNodes() - 1;
+  const double opaque = longest > 0.0 ? DeepestRay / longest : DeepestRay;
+  this->GreatestExtinction = 0.0f;
+  this->Allocate(positions.size());
+  this->NumberOfPieces = 0;
+  for (std::size_t node = 0; node + 1 < positions.size(); ++node)
+  {
+    Node ends[2];
+    for (std::size_t end = 0; end < 2; ++end)
+    {
+      std::copy_n(&values[4 * (node + end)], 4, ends[end].Values.begin());
+      ends[end].Values[3] = std::min(ends[end].Values[3], opaque);
+      ends[end].Position = positions[node + end];
+      this->GreatestExtinction =
+        std::max(this->GreatestExtinction, static_cast<float>(ends[end].Values[3]));
+    }
+    this->Append(ends[0], ends[1]);
+  }
+  this->Bounds[this->NumberOfPieces] = positions.back();
   this->SearchSteps = 0;
   while (1 << this->SearchSteps < this->NumberOfPieces)
   {
     ++this->SearchSteps;
   }
-  const std::size_t size = (std::size_t(1) << this->SearchSteps) + Padding;
+}
+
+//------------------------------------------------------------------------------
+void TileTransfer::Allocate(std::size_t nodes)
+{
+  std::size_t size = 1;
+  while (size < nodes)
+  {
+    size *= 2;
+  }
+  size += Padding;
   this->Bounds.assign(size, 3e38f);
-  std::copy(positions.begin(), positions.end(), this->Bounds.begin());
-  this->GreatestExtinction = 0.0f;
   for (int k = 0; k < 4; ++k)
   {
     this->Slopes[k].assign(size, 0.0f);
     this->Offsets[k].assign(size, 0.0f);
-    for (int piece = 0; piece < this->NumberOfPieces; ++piece)
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileTransfer::Append(const Node& first, const Node& last)
+{
+  const double width = last.Position - first.Position;
+  // Two nodes at one place: a step, and no piece of any length.
+  if (!(width > 0.0) || (this->NumberOfPieces > 0 && this->Continues(first, last)))
+  {
+    return;
+  }
+  const int piece = this->NumberOfPieces++;
+  this->Bounds[piece] = static_cast<float>(first.Position);
+  this->LastStart = first;
+  for (int k = 0; k < 4; ++k)
+  {
+    const double slope = (last.Values[k] - first.Values[k]) / width;
+    this->LastSlopes[k] = slope;
+    this->Slopes[k][piece] = static_cast<float>(slope);
+    this->Offsets[k][piece] = static_cast<float>(first.Values[k] - slope * first.Position);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TileTransfer::Continues(const Node& first, const Node& last) const
+{
+  for (int k = 0; k < 4; ++k)
+  {
+    const double slope = this->LastSlopes[k];
+    const double greatest = std::max(std::abs(first.Values[k]), std::abs(last.Values[k]));
+    for (const Node& node : { first, last })
     {
-      const double width = double(positions[piece + 1]) - positions[piece];
-      double ends[2] = { values[4 * piece + k], values[4 * piece + 4 + k] };
-      for (double& end : ends)
+      const double line =
+        this->LastStart.Values[k] + slope * (node.Position - this->LastStart.Position);
+      const double step = FloatStep * std::abs(slope * node.Position);
+      if (!(std::abs(line - node.Values[k]) <= Straight * greatest + step))
       {
-        end = k == 3 ? std::min(end, greatest) : end;
+        return false;
       }
-      // Two nodes at one place: a step, and no piece of any length.
-      const double slope = width > 0.0 ? (ends[1] - ends[0]) / width : 0.0;
-      this->Slopes[k][piece] = static_cast<float>(slope);
-      this->Offsets[k][piece] = static_cast<float>(ends[0] - slope * positions[piece]);
-      this->GreatestExtinction =
-        k == 3 ? std::max({ this->GreatestExtinction, float(ends[0]), float(ends[1]) }) : 0.0f;
     }
   }
+  return true;
 }

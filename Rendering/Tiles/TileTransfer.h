@@ -1,10 +1,11 @@
 /**
  * The transfer function as the tiles read it: per piece between two nodes the slope and the offset
- * of red, green, blue and extinction over the normalised scalar.
+ * of red, green, blue and extinction over the normalised scalar. Nodes on a line make one piece.
  */
 #ifndef TileTransfer_h
 #define TileTransfer_h
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -29,6 +30,21 @@ public:
 
   /** No vector is longer. */
   static constexpr std::size_t Padding = 64;
+
+private:
+  struct Node
+  {
+    double Position = 0.0;
+    std::array<double, 4> Values;
+  };
+  void Allocate(std::size_t nodes);
+  /** The piece between two nodes, unless the last one goes on that far. */
+  void Append(const Node& first, const Node& last);
+  bool Continues(const Node& first, const Node& last) const;
+
+  // The line of the last piece.
+  Node LastStart;
+  std::array<double, 4> LastSlopes;
 };
 
 #endif
