@@ -6,17 +6,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
 #include <memory>
+#include <numeric>
 
 namespace
 {
 constexpr vtkIdType Grain = 16384;
-
-double Evaluate(const PowerCells::Lift& lift, const double eye[4])
-{
-  return lift.Gradient[0] * eye[0] + lift.Gradient[1] * eye[1] + lift.Gradient[2] * eye[2] +
-         lift.Constant * eye[3];
-}
 }
 
 //------------------------------------------------------------------------------
@@ -33,7 +30,8 @@ void PowerCells::Initialize(vtkIdType numberOfCells, const double bounds[6])
   this->Scale = size > 0.0 && std::isfinite(size) ? std::ldexp(1.0, -std::ilogb(size)) : 1.0;
   this->Lifts.resize(numberOfCells);
   this->Cospherical.resize(numberOfCells);
-  this->Keys.resize(numberOfCells);
+  this->Shared.Clear();
+  this->HasShared = false;
 }
 
 //------------------------------------------------------------------------------
@@ -48,7 +46,7 @@ void PowerCells::SetCell(vtkIdType cell, const double* corners, int count)
     relative[i / 3][i % 3] = (corners[i] - this->Center[i % 3]) * this->Scale;
   }
   const LiftedCell fit = LiftedCell::Fit(relative, count);
-  Lift& lift = this->Lifts[cell];
+  PowerLift& lift = this->Lifts[cell];
   std::copy_n(fit.Gradient, 3, lift.Gradient);
   lift.Constant = fit.Constant;
   this->Cospherical[cell] = fit.Cospherical;
@@ -78,71 +76,146 @@ PowerCells::Eye PowerCells::Transform(const double eye[4]) const
 //------------------------------------------------------------------------------
 double PowerCells::GetKey(vtkIdType cell, const double eye[4]) const
 {
-  return Evaluate(this->Lifts[cell], this->Transform(eye).X);
+  return this->Lifts[cell].Evaluate(this->Transform(eye).X);
 }
 
 //------------------------------------------------------------------------------
 void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
 {
   RadixSort::Item* items = this->Sort.GetItems();
-  for (vtkIdType cell = begin; cell < end; ++cell)
+  const PowerLift* spheres = this->GetSpheres().data();
+  for (vtkIdType sphere = begin; sphere < end; ++sphere)
   {
-    const double key = Evaluate(this->Lifts[cell], eye.X);
-    this->Keys[cell] = key;
-    items[cell] = { RadixSort::KeyOf(key), static_cast<std::uint32_t>(cell) };
+    items[sphere] = { RadixSort::KeyOf(spheres[sphere].Evaluate(eye.X)),
+      static_cast<std::uint32_t>(sphere) };
   }
 }
 
 //------------------------------------------------------------------------------
-// Writes the runs of equal keys that begin in begin .. end.
-void PowerCells::WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order) const
+vtkIdType PowerCells::CountCells(vtkIdType begin, vtkIdType end) const
+{
+  if (this->Shared.IsEmpty())
+  {
+    return end - begin;
+  }
+  const RadixSort::Item* items = this->Sort.GetItems();
+  return std::accumulate(items + begin, items + end, vtkIdType(0),
+    [this](vtkIdType sum, const RadixSort::Item& item)
+    { return sum + this->Shared.CountCells(item.Id); });
+}
+
+//------------------------------------------------------------------------------
+void PowerCells::FindPlaces()
+{
+  const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
+  const vtkIdType chunks = (count + Grain - 1) / Grain;
+  this->Places.assign(static_cast<std::size_t>(chunks) + 1, 0);
+  vtkSMPTools::For(0, chunks, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      {
+        this->Places[chunk + 1] =
+          this->CountCells(chunk * Grain, std::min(count, (chunk + 1) * Grain));
+      }
+    });
+  std::partial_sum(this->Places.begin(), this->Places.end(), this->Places.begin());
+}
+
+//------------------------------------------------------------------------------
+// Writes the runs of equal keys that begin in the chunk.
+void PowerCells::WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) const
 {
   const RadixSort::Item* items = this->Sort.GetItems();
-  const vtkIdType count = this->GetNumberOfCells();
+  const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
+  const vtkIdType first = chunk * Grain;
+  const vtkIdType end = std::min(count, first + Grain);
+  vtkIdType begin = first;
   while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
   {
     ++begin;
   }
+  vtkIdType* to = order + this->Places[chunk] + this->CountCells(first, begin);
+  std::vector<Run> runs;
+  std::vector<Tie> ties;
   while (begin < end)
   {
-    order[begin] = items[begin].Id;
     vtkIdType next = begin + 1;
     while (next < count && items[next].Key == items[begin].Key)
     {
       ++next;
     }
-    if (next - begin > 1)
+    if (next - begin == 1)
     {
-      this->WriteRun(begin, next, order);
+      to = this->WriteCells(items[begin].Id, to);
+    }
+    else
+    {
+      runs.push_back({ ties.size(), ties.size() + (next - begin), to });
+      to += this->CountCells(begin, next);
+      std::transform(items + begin, items + next, std::back_inserter(ties),
+        [](const RadixSort::Item& item) { return Tie{ 0.0, item.Id }; });
     }
     begin = next;
+  }
+  this->WriteTies(eye, runs, ties);
+}
+
+//------------------------------------------------------------------------------
+void PowerCells::WriteTies(
+  const Eye& eye, const std::vector<Run>& runs, std::vector<Tie>& ties) const
+{
+  // All keys first: the memory then fetches many spheres at a time.
+  const PowerLift* spheres = this->GetSpheres().data();
+  for (Tie& tie : ties)
+  {
+    tie.Key = spheres[tie.Sphere].Evaluate(eye.X);
+  }
+  for (const Run& run : runs)
+  {
+    std::sort(ties.begin() + run.Begin, ties.begin() + run.End,
+      [](const Tie& a, const Tie& b)
+      { return a.Key < b.Key || (a.Key == b.Key && a.Sphere < b.Sphere); });
+    vtkIdType* to = run.To;
+    for (std::size_t i = run.Begin; i < run.End; ++i)
+    {
+      to = this->WriteCells(ties[i].Sphere, to);
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::WriteRun(vtkIdType begin, vtkIdType end, vtkIdType* order) const
+vtkIdType* PowerCells::WriteCells(std::uint32_t sphere, vtkIdType* order) const
 {
-  const RadixSort::Item* items = this->Sort.GetItems();
-  const double* keys = this->Keys.data();
-  const auto isFarther = [keys](vtkIdType a, vtkIdType b)
-  { return keys[a] < keys[b] || (keys[a] == keys[b] && a < b); };
-  for (vtkIdType i = begin; i < end; ++i)
+  if (!this->Shared.IsEmpty())
   {
-    order[i] = items[i].Id;
+    return this->Shared.WriteCells(sphere, order);
   }
-  std::sort(order + begin, order + end, isFarther);
+  *order = sphere;
+  return order + 1;
 }
 
 //------------------------------------------------------------------------------
 void PowerCells::SortBackToFront(const double point[4], std::vector<vtkIdType>& order)
 {
+  if (!this->HasShared)
+  {
+    this->Shared.Build(this->Lifts);
+    this->Sort.SetNumberOfItems(this->GetSpheres().size());
+    this->HasShared = true;
+  }
   const Eye eye = this->Transform(point);
-  const vtkIdType count = this->GetNumberOfCells();
-  this->Sort.SetNumberOfItems(static_cast<std::size_t>(count));
-  order.resize(static_cast<std::size_t>(count));
-  vtkSMPTools::For(
-    0, count, Grain, [&](vtkIdType begin, vtkIdType end) { this->FillItems(eye, begin, end); });
+  order.resize(this->Lifts.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sort.GetNumberOfItems()), Grain,
+    [&](vtkIdType begin, vtkIdType end) { this->FillItems(eye, begin, end); });
   this->Sort.Sort();
-  vtkSMPTools::For(0, count, Grain,
-    [&](vtkIdType begin, vtkIdType end) { this->WriteRuns(begin, end, order.data()); });
+  this->FindPlaces();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Places.size()) - 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      {
+        this->WriteRuns(eye, chunk, order.data());
+      }
+    });
 }

@@ -13,6 +13,8 @@
  * Visualization of Three-Dimensional Delaunay Meshes, 1997. (Cignoni 1995, 3.1, compares lengths:
  * it is their squares, which can be negative, and the larger is behind.)
  *
+ * Cells of one sphere, as the tetrahedra of a box, have one key and are sorted as one.
+ *
  * All h are kept relative to the centre of the mesh and in units of its size, a power of two.
  * Not guaranteed: cells whose corners lie on no common sphere take the affine function that fits
  * |x|^2 best in the least-squares sense. Flat cells get a finite one that is of no other use.
@@ -20,27 +22,24 @@
 #ifndef PowerCells_h
 #define PowerCells_h
 
+#include "PowerLift.h"
 #include "RadixSort.h"
+#include "SharedSpheres.h"
 
 #include "vtkType.h"
 
+#include <cstddef>
+#include <cstdint>
 #include <vector>
 
 class PowerCells
 {
 public:
-  /** h(x) = Gradient.x + Constant, in the coordinates of the class. */
-  struct Lift
-  {
-    double Gradient[3];
-    double Constant;
-  };
-
   /** Forgets all cells. Bounds: those of the mesh, as in VTK. */
   void Initialize(vtkIdType numberOfCells, const double bounds[6]);
 
   /** Corners: `count` points of three coordinates each. May be called for different cells at the
-   *  same time. */
+   *  same time; not after the first sort. */
   void SetCell(vtkIdType cell, const double* corners, int count);
 
   vtkIdType GetNumberOfCells() const { return static_cast<vtkIdType>(this->Lifts.size()); }
@@ -53,7 +52,8 @@ public:
    *  keys compare only for the same eye. */
   double GetKey(vtkIdType cell, const double eye[4]) const;
 
-  /** All cells, farthest first; equal keys in the order of the ids. At most 2^32 cells. */
+  /** All cells, farthest first; equal keys in the order of the ids, cells of one sphere together.
+   *  At most 2^32 cells. */
   void SortBackToFront(const double eye[4], std::vector<vtkIdType>& order);
 
 private:
@@ -62,18 +62,39 @@ private:
   {
     double X[4];
   };
+  /** A sphere in a run of equal 32-bit keys. */
+  struct Tie
+  {
+    double Key;
+    std::uint32_t Sphere;
+  };
+  /** Where it begins and ends among the ties, and where its cells go. */
+  struct Run
+  {
+    std::size_t Begin;
+    std::size_t End;
+    vtkIdType* To;
+  };
   Eye Transform(const double eye[4]) const;
+  const std::vector<PowerLift>& GetSpheres() const
+  {
+    return this->Shared.IsEmpty() ? this->Lifts : this->Shared.GetLifts();
+  }
   void FillItems(const Eye& eye, vtkIdType begin, vtkIdType end);
-  void WriteRuns(vtkIdType begin, vtkIdType end, vtkIdType* order) const;
-  /** Items of one 32-bit key, by their keys in double. */
-  void WriteRun(vtkIdType begin, vtkIdType end, vtkIdType* order) const;
+  void FindPlaces();
+  vtkIdType CountCells(vtkIdType begin, vtkIdType end) const;
+  void WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) const;
+  void WriteTies(const Eye& eye, const std::vector<Run>& runs, std::vector<Tie>& ties) const;
+  vtkIdType* WriteCells(std::uint32_t sphere, vtkIdType* order) const;
 
   double Center[3] = { 0.0, 0.0, 0.0 };
   double Scale = 1.0;
-  std::vector<Lift> Lifts;
+  std::vector<PowerLift> Lifts;
   std::vector<unsigned char> Cospherical;
-  /** Of the last sort: ties are decided from here, not by evaluating the lifts again. */
-  std::vector<double> Keys;
+  SharedSpheres Shared;
+  bool HasShared = false;
+  /** Where the cells of each chunk of the sorted items go, and the end. */
+  std::vector<vtkIdType> Places;
   RadixSort Sort;
 };
 

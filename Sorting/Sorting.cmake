@@ -60,6 +60,7 @@ list(APPEND sources
   Sorting/PolyhedronSurface.cxx
   Sorting/PowerCells.cxx
   Sorting/RadixSort.cxx
+  Sorting/SharedSpheres.cxx
   Sorting/SignedLinks.cxx
   Sorting/SimplifiedGrid.cxx
   Sorting/StarCell.cxx
@@ -127,7 +128,9 @@ list(APPEND private_headers
   Sorting/PolyhedronPlan.h
   Sorting/PolyhedronSurface.h
   Sorting/PowerCells.h
+  Sorting/PowerLift.h
   Sorting/RadixSort.h
+  Sorting/SharedSpheres.h
   Sorting/SignedLinks.h
   Sorting/SimplifiedGrid.h
   Sorting/StarCell.h

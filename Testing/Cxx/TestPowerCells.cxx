@@ -187,6 +187,53 @@ void CheckTies(TestChecks& checks)
   }
 }
 
+// Six tetrahedra of each box: those of its halves in turn.
+PowerCells MakeBoxes(int boxes)
+{
+  constexpr int steps[6][2] = { { 1, 3 }, { 2, 3 }, { 2, 6 }, { 1, 5 }, { 4, 6 }, { 4, 5 } };
+  std::mt19937 random(7);
+  PowerCells cells;
+  cells.Initialize(6 * boxes, UnitBounds);
+  for (int box = 0; box < boxes; ++box)
+  {
+    double low[3], size[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      low[axis] = RandomCoordinate(random);
+      size[axis] = 1e-3 * (1.1 + RandomCoordinate(random));
+    }
+    for (int cell = 0; cell < 6; ++cell)
+    {
+      double corners[12];
+      for (int i = 0; i < 12; ++i)
+      {
+        const int corner = i < 3 ? 0 : i < 9 ? steps[cell][i / 3 - 1] : 7;
+        corners[i] = low[i % 3] + (corner >> i % 3 & 1) * size[i % 3];
+      }
+      cells.SetCell(6 * box + cell, corners, 4);
+    }
+  }
+  return cells;
+}
+
+// Cells of one sphere have one key and follow each other.
+void CheckBoxes(TestChecks& checks)
+{
+  constexpr int boxes = 20000;
+  PowerCells cells = MakeBoxes(boxes);
+  std::vector<vtkIdType> order;
+  const double eye[4] = { 3.1, 2.3, -1.7, 1.0 };
+  cells.SortBackToFront(eye, order);
+  CHECK(IsPermutation(order, 6 * boxes));
+  CHECK(IsSorted(cells, order, eye));
+  int apart = 0;
+  for (std::size_t i = 0; i < order.size(); ++i)
+  {
+    apart += order[i] != order[i - i % 6] + static_cast<vtkIdType>(i % 6) ? 1 : 0;
+  }
+  CHECK_AT_MOST(apart, 0);
+}
+
 // A direction is what eyes tend to that go away along it.
 void CheckDirection(TestChecks& checks)
 {
@@ -291,6 +338,7 @@ int TestPowerCells(int, char*[])
   CheckOffsets(checks);
   CheckOrder(checks);
   CheckTies(checks);
+  CheckBoxes(checks);
   CheckDirection(checks);
   CheckFlatAndBroken(checks);
   CheckManyCorners(checks);
