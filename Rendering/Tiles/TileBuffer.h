@@ -1,5 +1,5 @@
 /**
- * The pixels of one tile, and for each the proof that its pieces came from front to back.
+ * The pixels of one tile, and for each whether its pieces came from front to back.
  */
 #ifndef TileBuffer_h
 #define TileBuffer_h
@@ -16,20 +16,24 @@ struct TileBuffer
   {
     float Red, Green, Blue, Through;
   };
-  /** u where the pixel's last piece ended; by how much a later one began before that, at most. */
-  struct Proof
-  {
-    float LastExit, Overlap;
-  };
 
   void Clear()
   {
     std::fill_n(this->Pixels, Size, Pixel{ 0.0f, 0.0f, 0.0f, 1.0f });
-    std::fill_n(this->Proofs, Size, Proof{ 3e38f, -3e38f });
+    std::fill_n(this->LastExits, Size, 3e38f);
+    if (this->HasWrong)
+    {
+      std::fill_n(this->Wrong, Size, static_cast<unsigned char>(0));
+      this->HasWrong = false;
+    }
   }
 
   alignas(64) Pixel Pixels[Size];
-  alignas(64) Proof Proofs[Size];
+  /** u where the pixel's last piece ended. */
+  alignas(64) float LastExits[Size];
+  /** Not 0: a piece began before the one before it ended. */
+  alignas(64) unsigned char Wrong[Size] = {};
+  bool HasWrong = false;
 };
 
 #endif

@@ -10,12 +10,12 @@
 #endif
 
 #include "TileBuffer.h"
+#include "TileColors-inl.h"
 #include "TileFragments.h"
 
 #include <hwy/highway.h>
 
-#include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -36,25 +36,72 @@ HWY_INLINE void BlendFragment(TileBuffer::Pixel& pixel, const float* color)
 }
 
 /// A piece that begins nearer than the last one ended proves the order wrong in its pixel.
-HWY_INLINE void ProveFragment(TileBuffer::Proof& proof, float entry, float extent)
+/// `lastExits`: of the pixels of the fragments from `at` on.
+HWY_INLINE void ProveFragments(
+  const TileFragments& q, int at, const float* lastExits, float tolerance, TileBuffer& tile)
 {
+  const ColorFloat d;
+  const auto entry = hn::Load(d, q.Entry + at);
   // Less what a float's step may make of it.
-  const float overlap = entry - proof.LastExit - 5e-7f * std::abs(entry);
-  proof.Overlap = std::max(proof.Overlap, overlap);
-  proof.LastExit = entry - extent;
+  const auto step = hn::Mul(hn::Abs(entry), hn::Set(d, 5e-7f));
+  const auto overlap = hn::Sub(hn::Sub(entry, hn::Load(d, lastExits)), step);
+  if (hn::AllTrue(d, hn::Le(overlap, hn::Set(d, tolerance))))
+  {
+    return;
+  }
+  HWY_ALIGN float overlaps[16];
+  hn::Store(overlap, d, overlaps);
+  for (int k = 0; k < static_cast<int>(hn::Lanes(d)) && at + k < q.Count; ++k)
+  {
+    if (overlaps[k] > tolerance)
+    {
+      tile.Wrong[q.Pixel[at + k]] = 1;
+      tile.HasWrong = true;
+    }
+  }
 }
 
-template <bool Prove>
-void CompositeFragments(const TileFragments& q, TileBuffer& tile)
+/// The fragments of a vector from `at` on, `Count` of them or what there is.
+template <bool Prove, class Number>
+HWY_INLINE void CompositeVector(
+  const TileFragments& q, int at, Number count, float tolerance, TileBuffer& tile)
 {
-  for (int i = 0; i < q.Count; ++i)
+  const ColorFloat d;
+  HWY_ALIGN float exits[16], lastExits[16];
+  if (Prove)
   {
-    const int pixel = q.Pixel[i];
-    BlendFragment(tile.Pixels[pixel], q.Color[i]);
+    hn::Store(hn::Sub(hn::Load(d, q.Entry + at), hn::Load(d, q.Extent + at)), d, exits);
+    hn::Store(hn::Set(d, 3e38f), d, lastExits);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const int pixel = q.Pixel[at + k];
+    BlendFragment(tile.Pixels[pixel], q.Slots[at + ColorSlot(k)]);
     if (Prove)
     {
-      ProveFragment(tile.Proofs[pixel], q.Entry[i], q.Extent[i]);
+      lastExits[k] = tile.LastExits[pixel];
+      tile.LastExits[pixel] = exits[k];
     }
+  }
+  if (Prove)
+  {
+    ProveFragments(q, at, lastExits, tolerance, tile);
+  }
+}
+
+/// `tolerance`: of an overlap, in u.
+template <bool Prove>
+void CompositeFragments(const TileFragments& q, float tolerance, TileBuffer& tile)
+{
+  constexpr int lanes = static_cast<int>(hn::MaxLanes(ColorFloat()));
+  int at = 0;
+  for (; at + lanes <= q.Count; at += lanes)
+  {
+    CompositeVector<Prove>(q, at, std::integral_constant<int, lanes>(), tolerance, tile);
+  }
+  if (at < q.Count)
+  {
+    CompositeVector<Prove>(q, at, q.Count - at, tolerance, tile);
   }
 }
 }

@@ -21,8 +21,8 @@ struct TileFragments
   alignas(64) float ScalarOut[Capacity];
   /** In the tile, row by row. */
   alignas(64) int Pixel[Capacity];
-  /** Shaded: premultiplied red, green, blue, and minus alpha. */
-  alignas(64) float Color[Capacity][4];
+  /** Shaded: premultiplied red, green, blue, and minus alpha, in slots (TileColors-inl.h). */
+  alignas(64) float Slots[Capacity][4];
 };
 
 /** What is left to shade of fragments that a node of the transfer function, or an optical depth of

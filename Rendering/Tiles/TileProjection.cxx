@@ -80,7 +80,7 @@ void CoverTile(
 inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
 {
   TileRepair& repair = scratch.Repair;
-  const int wrong = repair.Find(scratch.Buffer, task.Tolerance);
+  const int wrong = repair.Find(scratch.Buffer);
   if (wrong == 0)
   {
     return;
@@ -92,7 +92,7 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
   while (repair.Take(scratch.Fragments))
   {
     ShadeFragments(task, tile, scratch.Fragments, scratch.Remainders);
-    CompositeFragments<false>(scratch.Fragments, scratch.Buffer);
+    CompositeFragments<false>(scratch.Fragments, task.Tolerance, scratch.Buffer);
   }
 }
 
@@ -121,7 +121,7 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
       TileFragments& fragments = scratch.Fragments;
       scratch.Counts.Fragments += fragments.Count;
       scratch.Counts.Pieces += ShadeFragments(task, tile, fragments, scratch.Remainders);
-      CompositeFragments<true>(fragments, scratch.Buffer);
+      CompositeFragments<true>(fragments, task.Tolerance, scratch.Buffer);
     });
   scratch.Counts.Cells += static_cast<long long>(scratch.Drawn.size());
   RepairTile(task, tile, scratch);

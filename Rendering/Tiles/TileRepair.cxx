@@ -6,22 +6,20 @@
 #include "TileView.h"
 
 #include <algorithm>
+#include <numeric>
 #include <tuple>
 
 //------------------------------------------------------------------------------
-int TileRepair::Find(const TileBuffer& tile, float tolerance)
+int TileRepair::Find(const TileBuffer& tile)
 {
-  this->Marked.resize(TileBuffer::Size);
   this->Fragments.clear();
   this->Taken = 0;
-  int count = 0;
-  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  if (!tile.HasWrong)
   {
-    const bool wrong = tile.Proofs[pixel].Overlap > tolerance;
-    this->Marked[pixel] = wrong ? 1 : 0;
-    count += wrong ? 1 : 0;
+    return 0;
   }
-  return count;
+  this->Marked.assign(tile.Wrong, tile.Wrong + TileBuffer::Size);
+  return std::accumulate(this->Marked.begin(), this->Marked.end(), 0);
 }
 
 //------------------------------------------------------------------------------

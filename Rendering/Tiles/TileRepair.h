@@ -17,8 +17,8 @@ struct TileRectangle;
 class TileRepair
 {
 public:
-  /** Marks the pixels that are wrong by more than `tolerance`; returns their number. */
-  int Find(const TileBuffer& tile, float tolerance);
+  /** Takes the pixels that are wrong; returns their number. */
+  int Find(const TileBuffer& tile);
   /** The part of a tile that holds them. */
   TileRectangle Box(const TileRectangle& tile) const;
   /** Keeps what belongs to marked pixels. */

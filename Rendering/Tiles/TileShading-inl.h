@@ -14,6 +14,7 @@
 #define TileShading_inl_h
 #endif
 
+#include "TileColors-inl.h"
 #include "TileFragments.h"
 #include "TileMath-inl.h"
 #include "TileTask.h"
@@ -250,7 +251,7 @@ private:
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
       this->ShadePiece(p, used, rest, color);
-      hn::StoreInterleaved4(color[0], color[1], color[2], color[3], d, q.Color[at]);
+      StoreColors(color, at, q);
     }
   }
 
@@ -282,7 +283,7 @@ private:
       hn::StoreInterleaved4(color[0], color[1], color[2], color[3], d, colors[0]);
       for (int k = 0; k < count; ++k)
       {
-        float* target = q.Color[now.Fragment[at + k]];
+        float* target = q.Slots[ColorSlot(now.Fragment[at + k])];
         for (int i = 0; i < 4; ++i)
         {
           target[i] += colors[k][i];
