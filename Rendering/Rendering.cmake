@@ -38,6 +38,7 @@ list(APPEND sources
   Rendering/ExtremumTarget.cxx
   Rendering/EyeDistance.cxx
   Rendering/FacePieces.cxx
+  Rendering/FiniteNodes.cxx
   Rendering/FloatTarget.cxx
   Rendering/FrameStatistics.cxx
   Rendering/IsoLayers.cxx
@@ -129,6 +130,7 @@ list(APPEND private_headers
   Rendering/ExtremumTarget.h
   Rendering/EyeDistance.h
   Rendering/FacePieces.h
+  Rendering/FiniteNodes.h
   Rendering/FloatTarget.h
   Rendering/FrameStatistics.h
   Rendering/IsoLayers.h

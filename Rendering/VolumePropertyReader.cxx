@@ -1,5 +1,6 @@
 #include "VolumePropertyReader.h"
 
+#include "FiniteNodes.h"
 #include "vtkColorTransferFunction.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkScalarsToColors.h"
@@ -31,30 +32,65 @@ void AppendNodes(Function* function, int valuesPerNode, std::vector<double>& can
   }
 }
 
+void AppendProblem(int count, const std::string& what, std::vector<std::string>& problems)
+{
+  if (count > 0)
+  {
+    problems.push_back(std::to_string(count) + " points of the property's " + what);
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 VolumePropertyReader::VolumePropertyReader(vtkVolumeProperty* property)
   : Property(property)
+  , Opacity(FiniteNodes::Copy(property->GetScalarOpacity()))
 {
+  if (property->GetColorChannels() == 1)
+  {
+    this->Gray = FiniteNodes::Copy(property->GetGrayTransferFunction());
+  }
+  else
+  {
+    this->Color = FiniteNodes::Copy(property->GetRGBTransferFunction());
+  }
+}
+
+//------------------------------------------------------------------------------
+void VolumePropertyReader::CheckNodes(std::vector<std::string>& problems) const
+{
+  const std::string remedy = " function are not finite: drawn without them; remove them.";
+  AppendProblem(FiniteNodes::CountBad(this->Property->GetScalarOpacity()),
+    "scalar opacity" + remedy, problems);
+  AppendProblem(this->Gray ? FiniteNodes::CountBad(this->Property->GetGrayTransferFunction())
+                           : FiniteNodes::CountBad(this->Property->GetRGBTransferFunction()),
+    (this->Gray ? "gray" : "colour") + remedy, problems);
+  int below = 0;
+  for (int i = 0; i < this->Opacity->GetSize(); ++i)
+  {
+    double node[4];
+    this->Opacity->GetNodeValue(i, node);
+    below += node[1] < 0.0 ? 1 : 0;
+  }
+  AppendProblem(below,
+    "scalar opacity function are below 0: what is below counts as 0; raise them.", problems);
 }
 
 //------------------------------------------------------------------------------
 void VolumePropertyReader::CheckFunctions(std::vector<std::string>& problems)
 {
-  this->HasOpacity = this->Property->GetScalarOpacity()->GetSize() > 0;
+  this->CheckNodes(problems);
+  this->HasOpacity = this->Opacity->GetSize() > 0;
   if (!this->HasOpacity)
   {
     problems.emplace_back(
       "The property's scalar opacity function has no points: drawn with opacity "
       "1; add points to it.");
   }
-  const bool gray = this->Property->GetColorChannels() == 1;
-  this->HasColor = gray ? this->Property->GetGrayTransferFunction()->GetSize() > 0
-                        : this->Property->GetRGBTransferFunction()->GetSize() > 0;
+  this->HasColor = this->Gray ? this->Gray->GetSize() > 0 : this->Color->GetSize() > 0;
   if (!this->HasColor)
   {
-    problems.emplace_back(std::string("The property's ") + (gray ? "gray" : "colour") +
+    problems.emplace_back(std::string("The property's ") + (this->Gray ? "gray" : "colour") +
                           " function has no points: drawn in white; add points to it.");
   }
 }
@@ -107,14 +143,14 @@ void VolumePropertyReader::Read(const double range[2], const double extremes[2],
 std::vector<double> VolumePropertyReader::FindCandidates() const
 {
   std::vector<double> candidates;
-  AppendNodes(this->Property->GetScalarOpacity(), 4, candidates);
-  if (this->Property->GetColorChannels() == 1)
+  AppendNodes(this->Opacity.GetPointer(), 4, candidates);
+  if (this->Gray)
   {
-    AppendNodes(this->Property->GetGrayTransferFunction(), 4, candidates);
+    AppendNodes(this->Gray.GetPointer(), 4, candidates);
   }
   else
   {
-    AppendNodes(this->Property->GetRGBTransferFunction(), 6, candidates);
+    AppendNodes(this->Color.GetPointer(), 6, candidates);
   }
   return candidates;
 }
@@ -123,18 +159,17 @@ std::vector<double> VolumePropertyReader::FindCandidates() const
 TransferFunction::Sample VolumePropertyReader::Evaluate(double scalar) const
 {
   TransferFunction::Sample sample{ { 1.0, 1.0, 1.0, 1.0 } };
-  if (this->HasColor && this->Property->GetColorChannels() == 1)
+  if (this->HasColor && this->Gray)
   {
-    const double gray = this->Property->GetGrayTransferFunction()->GetValue(scalar);
-    sample[0] = sample[1] = sample[2] = gray;
+    sample[0] = sample[1] = sample[2] = this->Gray->GetValue(scalar);
   }
   else if (this->HasColor)
   {
-    this->Property->GetRGBTransferFunction()->GetColor(scalar, sample.data());
+    this->Color->GetColor(scalar, sample.data());
   }
   if (this->HasOpacity)
   {
-    sample[3] = this->Property->GetScalarOpacity()->GetValue(scalar);
+    sample[3] = std::max(this->Opacity->GetValue(scalar), 0.0);
   }
   return sample;
 }
@@ -174,7 +209,7 @@ bool VolumePropertyReader::HasGradientOpacity() const
   }
   // Asking a property for its gradient opacity creates one that is 1 everywhere: that asks for
   // nothing.
-  vtkPiecewiseFunction* function = this->Property->GetGradientOpacity();
+  const auto function = FiniteNodes::Copy(this->Property->GetGradientOpacity());
   double node[4];
   bool effective = function->GetSize() > 0 && !function->GetClamping();
   for (int i = 0; i < function->GetSize(); ++i)
@@ -188,14 +223,15 @@ bool VolumePropertyReader::HasGradientOpacity() const
 //------------------------------------------------------------------------------
 double VolumePropertyReader::ReadGradientOpacity(TransferFunction& function) const
 {
-  vtkPiecewiseFunction* opacity = this->Property->GetGradientOpacity();
+  const auto opacity = FiniteNodes::Copy(this->Property->GetGradientOpacity());
   std::vector<double> candidates;
-  AppendNodes(opacity, 4, candidates);
+  AppendNodes(opacity.GetPointer(), 4, candidates);
   const double greatest = *std::max_element(candidates.begin(), candidates.end());
   const double range[2] = { 0.0, greatest > 0.0 ? greatest : 1.0 };
   const double extremes[2] = { 0.0, 2.0 * range[1] };
   const auto evaluate = [opacity](double gradient) {
-    return TransferFunction::Sample{ { 0.0, 0.0, 0.0, opacity->GetValue(gradient) } };
+    return TransferFunction::Sample{ { 0.0, 0.0, 0.0,
+      std::max(opacity->GetValue(gradient), 0.0) } };
   };
   function.Build(candidates, evaluate, range, extremes, 1.0);
   return range[1];

@@ -2,17 +2,22 @@
 #define VolumePropertyReader_h
 
 #include "TransferFunction.h"
+#include "vtkSmartPointer.h"
 #include "vtkType.h"
 
 #include <array>
 #include <string>
 #include <vector>
 
+class vtkColorTransferFunction;
+class vtkPiecewiseFunction;
 class vtkVolumeProperty;
 
 /**
  * @class VolumePropertyReader
  * @brief Takes the transfer function, and whatever is asked for and not drawn, from a property.
+ *
+ * Nodes that are not finite are left out, opacities below 0 count as 0.
  */
 class VolumePropertyReader
 {
@@ -65,12 +70,16 @@ public:
 
 private:
   std::vector<double> FindCandidates() const;
-  void AppendColorCandidates(std::vector<double>& candidates) const;
   TransferFunction::Sample Evaluate(double scalar) const;
   double CheckUnitDistance(std::vector<std::string>& problems) const;
   void CheckFunctions(std::vector<std::string>& problems);
+  void CheckNodes(std::vector<std::string>& problems) const;
 
   vtkVolumeProperty* Property;
+  vtkSmartPointer<vtkPiecewiseFunction> Opacity;
+  /// One of them is null.
+  vtkSmartPointer<vtkPiecewiseFunction> Gray;
+  vtkSmartPointer<vtkColorTransferFunction> Color;
   bool HasColor = true;
   bool HasOpacity = true;
 };

@@ -34,6 +34,9 @@ struct PreparedVolume;
  * What is asked for and not drawn is named by one warning, bad input by one error or warning that
  * counts the offenders; the rest is drawn. A message comes again when it changes.
  *
+ * Points of the property's functions that are not finite are left out, opacities below 0 count as
+ * 0; above 1 they are as opaque as they say, but for the pixel's own opacity of a maximum.
+ *
  * Arrays are taken as they are at Render: call Modified() on one that was written in place.
  */
 class VTKCELLPROJECTION_EXPORT vtkConvexCellMapper : public vtkUnstructuredGridVolumeMapper

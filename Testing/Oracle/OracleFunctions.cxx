@@ -53,7 +53,7 @@ std::array<double, 3> OracleFunctions::GetColor(double scalar) const
 //------------------------------------------------------------------------------
 double OracleFunctions::GetOpacity(double scalar) const
 {
-  return this->Opacity->GetValue(scalar);
+  return std::max(this->Opacity->GetValue(scalar), 0.0);
 }
 
 //------------------------------------------------------------------------------

@@ -22,6 +22,8 @@ public:
   explicit OracleFunctions(vtkVolumeProperty* property);
 
   std::array<double, 3> GetColor(double scalar) const;
+
+  /** What is below 0 counts as 0. */
   double GetOpacity(double scalar) const;
 
   /** 1 where the property has none, or it is disabled. */

@@ -61,7 +61,7 @@ OracleIntegrator::Rgba OracleIntegrator::Minimum(const std::vector<OracleSegment
 OracleIntegrator::Rgba OracleIntegrator::Project(double scalar) const
 {
   const std::array<double, 3> color = this->Functions.GetColor(scalar);
-  const double opacity = this->Functions.GetOpacity(scalar);
+  const double opacity = std::min(this->Functions.GetOpacity(scalar), 1.0);
   return { color[0] * opacity, color[1] * opacity, color[2] * opacity, opacity };
 }
 

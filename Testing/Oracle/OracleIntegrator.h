@@ -4,7 +4,7 @@
  *     composite  C = int kappa tau exp(-int tau) dt,  alpha = 1 - exp(-int tau)
  *     additive   C = int kappa tau dt,                alpha = 0
  *     maximum, minimum   the extremum s of the segments' scalars: C = kappa(s) opacity(s),
- *                alpha = opacity(s)
+ *                alpha = opacity(s), which is at most 1 here
  *
  * Composite is lit where there is a shading, and its extinction is multiplied by the gradient
  * opacity where the functions have one.
