@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 namespace
 {
@@ -53,10 +54,32 @@ void PreIntegrationTable::FillRow(const TransferFunction& function, int back)
 }
 
 //------------------------------------------------------------------------------
-void PreIntegrationTable::Build(
+bool PreIntegrationTable::Allocate()
+{
+  const size_t values = static_cast<size_t>(this->Size) * this->Size * this->Size;
+  try
+  {
+    this->Texels.resize(values);
+    this->Front.resize(this->Lit ? values : 0);
+    this->Back.resize(this->Lit ? values : 0);
+    return true;
+  }
+  catch (const std::bad_alloc&)
+  {
+    for (std::vector<float>* texels : { &this->Texels, &this->Front, &this->Back })
+    {
+      std::vector<float>().swap(*texels);
+    }
+    return false;
+  }
+}
+
+//------------------------------------------------------------------------------
+bool PreIntegrationTable::Build(
   const TransferFunction& function, const float range[2], int size, bool isLit)
 {
   this->Size = size;
+  this->Lit = isLit;
   std::copy_n(range, 2, this->Range);
   this->GreatestExtinction = 0.0f;
   for (int node = 0; node < function.GetNumberOfNodes(); ++node)
@@ -64,10 +87,10 @@ void PreIntegrationTable::Build(
     this->GreatestExtinction =
       std::max(this->GreatestExtinction, function.GetValues()[4 * static_cast<size_t>(node) + 3]);
   }
-  const size_t values = static_cast<size_t>(size) * size * size;
-  this->Texels.resize(values);
-  this->Front.resize(isLit ? values : 0);
-  this->Back.resize(isLit ? values : 0);
+  if (!this->Allocate())
+  {
+    return false;
+  }
   vtkSMPTools::For(0, size, 1,
     [&](vtkIdType begin, vtkIdType end)
     {
@@ -76,4 +99,5 @@ void PreIntegrationTable::Build(
         this->FillRow(function, back);
       }
     });
+  return true;
 }

@@ -29,10 +29,11 @@ class TransferFunction;
 class PreIntegrationTable
 {
 public:
-  /// `range`: the normalised scalars that occur. Uses all threads.
-  void Build(const TransferFunction& function, const float range[2], int size, bool isLit);
+  /// `range`: the normalised scalars that occur. Uses all threads. False, and no texels, where
+  /// memory does not hold them.
+  bool Build(const TransferFunction& function, const float range[2], int size, bool isLit);
 
-  bool IsLit() const { return !this->Front.empty(); }
+  bool IsLit() const { return this->Lit; }
 
   /// The longest segment that the table holds, in units of its length.
   double GetGreatestLength() const;
@@ -46,7 +47,10 @@ public:
   float GreatestExtinction = 0.0f;
 
 private:
+  bool Allocate();
   void FillRow(const TransferFunction& function, int back);
+
+  bool Lit = false;
 };
 
 #endif

@@ -48,6 +48,7 @@ public:
   vtkTimeStamp FunctionUploaded;
   vtkTimeStamp OrderUploaded;
   vtkTimeStamp TableUploaded;
+  bool TableFits = true;
 };
 
 //------------------------------------------------------------------------------
@@ -258,16 +259,17 @@ bool vtkPreIntegratedTetrahedraMapper::UploadTable(CellProjectionFrame& frame)
   Internals& internal = *this->Internal;
   if (internal.TableUploaded < internal.TableTime)
   {
-    if (!internal.Raster.UploadTable(frame.Window, internal.Table))
-    {
-      this->WarnOnce("The driver has no room for a pre-integration table of size " +
-                     std::to_string(this->TableSize) +
-                     ": drawn with the exact integral; call SetTableSize with less.");
-      return false;
-    }
+    internal.TableFits = !internal.Table.Texels.empty() &&
+      internal.Raster.UploadTable(frame.Window, internal.Table);
     internal.TableUploaded.Modified();
   }
-  return true;
+  if (!internal.TableFits)
+  {
+    this->WarnOnce("There is no room for a pre-integration table of size " +
+      std::to_string(this->TableSize) +
+      ": drawn with the exact integral; call SetTableSize with less.");
+  }
+  return internal.TableFits;
 }
 
 //------------------------------------------------------------------------------

@@ -68,8 +68,8 @@ public:
   /**
    * How emission and absorption between entry and exit of a cell are found. Exact: split at the
    * transfer function's points. Table: looked up in a pre-integration table (Roettger et al. 2004,
-   * section 8), built again when the transfer function changes; where the driver has no room for it
-   * one warning says so and Exact is drawn. Average: the mean of colour and extinction at both ends
+   * section 8), built again when the transfer function changes; where memory or the driver has no room
+   * for it one warning says so and Exact is drawn. Average: the mean of colour and extinction at both ends
    * (Shirley and Tuchman 1990), which misses what the transfer function does between them.
    * Default: Exact.
    */
