@@ -149,10 +149,8 @@ vtkSmartPointer<vtkUnstructuredGrid> CutToTetrahedra(vtkUnstructuredGrid* grid)
 BenchmarkScene::BenchmarkScene(
   vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size, bool spiky)
 {
-  double range[2];
-  grid->GetScalarRange(range);
   mapper->SetInputData(grid);
-  SetProperty(this->Volume->GetProperty(), range, grid->GetLength(), spiky);
+  this->SetFunctionsFor(grid, spiky);
   this->Volume->SetMapper(mapper);
   this->Renderer->AddVolume(this->Volume);
   this->Window->SetOffScreenRendering(1);
@@ -160,6 +158,14 @@ BenchmarkScene::BenchmarkScene(
   this->Window->SetSize(size, size);
   this->Window->AddRenderer(this->Renderer);
   this->Renderer->ResetCamera();
+}
+
+//------------------------------------------------------------------------------
+void BenchmarkScene::SetFunctionsFor(vtkUnstructuredGrid* grid, bool spiky)
+{
+  double range[2];
+  grid->GetScalarRange(range);
+  SetProperty(this->Volume->GetProperty(), range, grid->GetLength(), spiky);
 }
 
 //------------------------------------------------------------------------------

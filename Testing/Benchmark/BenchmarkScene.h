@@ -38,6 +38,9 @@ public:
   BenchmarkScene(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size,
     bool spiky = false);
 
+  /// Colour, opacity and unit distance for the range and size of `grid`, as the constructor does.
+  void SetFunctionsFor(vtkUnstructuredGrid* grid, bool spiky = false);
+
   /// Renders until the driver is done and returns the seconds. The eye moves with `frame`.
   double TimeFrame(int frame);
   /// The window's colours (8 bits) as RGBA over black, alpha 0.

@@ -1,7 +1,8 @@
 // Speed against error: every method of ours and of VTK's on several meshes, each with a smooth and
 // a spiky transfer function, unlit and lit. One CSV row per method and look, one line of progress.
-//   CellProjectionReport FILE.csv [full|quick|tiny [NAME]]; the data's folder is in
-//   CELLPROJECTION_DATA; with a name VTK's projected tetrahedra and the methods that contain it
+//   CellProjectionReport FILE.csv [full|quick|tiny [NAME [MESH]]]; the data's folder is in
+//   CELLPROJECTION_DATA; with a name VTK's projected tetrahedra and the methods that contain it,
+//   with a mesh that alone
 
 #include "ReportMeshes.h"
 #include "ReportMethods.h"
@@ -23,6 +24,8 @@ struct Plan
   std::vector<ReportMeshes::Mesh> Meshes;
   std::vector<ReportMethods::Method> Methods = ReportMethods::All();
   ReportScene::Settings Settings;
+  // Of the methods.
+  std::string Name;
   // Rows get their share of what is left of it.
   double Seconds = 2000.0;
 };
@@ -34,7 +37,7 @@ Plan MakePlan(const std::string& kind)
   Plan plan;
   if (kind == "tiny")
   {
-    plan.Meshes = { ReportMeshes::MakeLattice(4) };
+    plan.Meshes = { ReportMeshes::MakeLattice(4, { 20.0 }) };
     plan.Methods = ReportMethods::Few();
     plan.Settings = { 3, 64, 32, 1, 10.0 };
     plan.Seconds = 10.0;
@@ -42,8 +45,8 @@ Plan MakePlan(const std::string& kind)
   else if (kind == "quick")
   {
     plan.Meshes = ReportMeshes::Read(folder, { "disk_out_ref" });
-    plan.Meshes.push_back(ReportMeshes::MakeLattice(12));
-    plan.Settings = { 3, 192, 48, 1, 10.0 };
+    plan.Meshes.push_back(ReportMeshes::MakeLattice(10, { 2.0, 5.0, 10.0 }));
+    plan.Settings = { 9, 128, 32, 1, 10.0 };
     plan.Seconds = 220.0;
   }
   else
@@ -62,6 +65,14 @@ void KeepMethods(const std::string& name, std::vector<ReportMethods::Method>& me
                   [&](const ReportMethods::Method& method)
                   { return method.Curve.find(name) == std::string::npos; }),
     methods.end());
+}
+
+void KeepMesh(const std::string& name, std::vector<ReportMeshes::Mesh>& meshes)
+{
+  meshes.erase(std::remove_if(meshes.begin(), meshes.end(),
+                 [&](const ReportMeshes::Mesh& mesh)
+                 { return mesh.Name.find(name) == std::string::npos; }),
+    meshes.end());
 }
 
 /// Tells how far it is, and how long the next row may take.
@@ -102,12 +113,16 @@ void MeasureMesh(
   const ReportMeshes::Mesh& mesh, const Plan& plan, std::ostream& csv, Progress& progress)
 {
   ReportScene scene(mesh, plan.Settings);
+  std::vector<ReportMethods::Method> methods = plan.Methods;
+  const std::vector<ReportMethods::Method> levels = ReportMethods::OfLevels(mesh.Levels);
+  methods.insert(methods.end(), levels.begin(), levels.end());
+  KeepMethods(plan.Name, methods);
   for (const char* transfer : { "smooth", "spiky" })
   {
     for (const char* light : { "unlit", "lit" })
     {
       scene.SetLook(transfer, light);
-      for (const ReportMethods::Method& method : plan.Methods)
+      for (const ReportMethods::Method& method : methods)
       {
         ReportRow row;
         if (scene.Measure(method, progress.GetSecondsForNextRow(), row))
@@ -130,7 +145,8 @@ int main(int argc, char* argv[])
     return EXIT_FAILURE;
   }
   Plan plan = MakePlan(argc > 2 ? argv[2] : "full");
-  KeepMethods(argc > 3 ? argv[3] : "", plan.Methods);
+  plan.Name = argc > 3 ? argv[3] : "";
+  KeepMesh(argc > 4 ? argv[4] : "", plan.Meshes);
   ReportRow::WriteHeader(csv);
   Progress progress(plan);
   for (const ReportMeshes::Mesh& mesh : plan.Meshes)

@@ -86,15 +86,16 @@ struct Source
   const char* Name;
   const char* File;
   std::function<Grid(const std::string&)> Read;
+  std::vector<double> Levels;
 };
 
 const std::vector<Source>& Sources()
 {
   static const std::vector<Source> sources = {
-    { "Blunt Fin", "bluntfinxyz.bin", ReadBluntFin },
-    { "Bucky ball", "Bucky.raw", ReadBuckyBall },
-    { "disk_out_ref", "disk_out_ref.ex2", ReadDiskOut },
-    { "fire plume", "fire_ug.vtu", ReadFirePlume },
+    { "Blunt Fin", "bluntfinxyz.bin", ReadBluntFin, { 2.0, 4.0, 6.0 } },
+    { "Bucky ball", "Bucky.raw", ReadBuckyBall, { 2.0, 5.0, 10.0 } },
+    { "disk_out_ref", "disk_out_ref.ex2", ReadDiskOut, {} },
+    { "fire plume", "fire_ug.vtu", ReadFirePlume, {} },
   };
   return sources;
 }
@@ -116,7 +117,7 @@ std::vector<Mesh> Read(const std::string& folder, const std::vector<std::string>
     Grid grid = isThere ? source.Read(folder + "/") : nullptr;
     if (grid)
     {
-      meshes.push_back({ source.Name, grid });
+      meshes.push_back({ source.Name, grid, source.Levels });
       continue;
     }
     std::cout << "skipped: " << source.Name << ", for which CELLPROJECTION_DATA has no "
@@ -126,7 +127,7 @@ std::vector<Mesh> Read(const std::string& folder, const std::vector<std::string>
 }
 
 //------------------------------------------------------------------------------
-Mesh MakeLattice(int cells)
+Mesh MakeLattice(int cells, const std::vector<double>& levels)
 {
   MeshLattice lattice(cells, cells, cells);
   lattice.SetMap(
@@ -147,6 +148,6 @@ Mesh MakeLattice(int cells)
     scalars->InsertNextValue(std::sin(7.0 * p[0]) * std::cos(5.0 * p[1]) * std::sin(6.0 * p[2] + 1));
   }
   grid->GetPointData()->SetScalars(scalars);
-  return { "lattice", grid };
+  return { "lattice", grid, levels };
 }
 }

@@ -203,6 +203,31 @@ std::vector<Method> All()
 //------------------------------------------------------------------------------
 std::vector<Method> Few()
 {
-  return { TheirTetrahedra("", "CellCenter"), OurTetrahedra("Exact, Raster", "", [](Ours*) {}) };
+  std::vector<Method> few{ TheirTetrahedra("", "CellCenter"),
+    OurTetrahedra("Exact, Raster", "", [](Ours*) {}) };
+  few.push_back(OurTetrahedra(ReportMethods::ShirleyTuchman, "",
+    [](Ours* mapper) { mapper->SetApproximationToShirleyTuchman(); }));
+  few.back().IsApproximation = true;
+  return few;
+}
+
+//------------------------------------------------------------------------------
+std::vector<Method> OfLevels(const std::vector<double>& percents)
+{
+  std::vector<Method> levels;
+  for (const double percent : percents)
+  {
+    const std::string setting = std::to_string(static_cast<int>(percent)) + " %";
+    levels.push_back(OurTetrahedra("Simplified, ShirleyTuchman", setting,
+      [](Ours* mapper) { mapper->SetApproximationToShirleyTuchman(); }));
+    levels.push_back(
+      OurTetrahedra("Simplified, Exact, Tiles", setting, [](Ours*) {}, Chosen, "Tiles"));
+  }
+  for (std::size_t i = 0; i < levels.size(); ++i)
+  {
+    levels[i].Simplified = percents[i / 2];
+    levels[i].IsApproximation = true;
+  }
+  return levels;
 }
 }

@@ -25,13 +25,18 @@ struct Method
   std::function<vtkSmartPointer<vtkUnstructuredGridVolumeMapper>()> Make;
   /// Compared with Shirley's and Tuchman's image too.
   bool IsApproximation = false;
+  /// Percent of field error that the tetrahedra are simplified by; 0: not at all.
+  double Simplified = 0.0;
 };
 
 /// VTK's projected tetrahedra come first, Shirley's and Tuchman's before the other approximations.
 std::vector<Method> All();
 
-/// Two of them.
+/// VTK's, exact ones and Shirley's and Tuchman's.
 std::vector<Method> Few();
+
+/// Simplified meshes, drawn by the standard method as in the paper, and exactly.
+std::vector<Method> OfLevels(const std::vector<double>& percents);
 
 extern const char* const Reference;
 extern const char* const ShirleyTuchman;

@@ -29,7 +29,7 @@ void ReportRow::WriteHeader(std::ostream& stream)
 {
   stream << "scene,cells,transfer,light,method,setting,engine,sort,blend,frames,median_ms,first_ms,"
             "prepare_ms,mcells_per_s,ratio_to_vtk,rmse,p999,maximum,share_above_half_level,"
-            "misordered_faces,levels_to_shirley_tuchman"
+            "rmse_outside,maximum_inside,misordered_faces,levels_to_shirley_tuchman"
          << std::endl;
 }
 
@@ -41,8 +41,10 @@ void ReportRow::Write(std::ostream& stream) const
     this->Light, Quoted(this->Curve), this->Setting, this->Engine, this->Sort, this->Blend,
     std::to_string(this->Frames.size()), Number(1e3 * median), Number(1e3 * this->First),
     Number(1e3 * this->Prepare), Number(1e-6 * static_cast<double>(this->Cells) / median),
-    Number(this->Reference / median), Number(this->RootMeanSquare), Number(this->Percentile),
-    Number(this->Maximum), Number(this->Share),
+    Number(this->Reference / median), Number(this->Errors.GetRootMeanSquare()),
+    Number(this->Errors.GetPercentile()), Number(this->Errors.GetMaximum()),
+    Number(this->Errors.GetShare()), Number(this->Errors.GetRootMeanSquareOutside()),
+    Number(this->Errors.GetMaximumInside()),
     NotNegative(static_cast<double>(this->MisorderedFaces), "%.0f"),
     NotNegative(this->ToShirleyTuchman, "%.4g") };
   const char* separator = "";
@@ -61,7 +63,7 @@ std::string ReportRow::GetSummary() const
   char text[256];
   std::snprintf(text, sizeof(text), "%-12s %-6s %-5s %-34s %8.1f ms  %6.2f x  RMSE %8.2e  max %8.2e",
     this->Scene.c_str(), this->Transfer.c_str(), this->Light.c_str(), name.c_str(),
-    1e3 * Median(this->Frames), this->Reference / Median(this->Frames), this->RootMeanSquare,
-    this->Maximum);
+    1e3 * Median(this->Frames), this->Reference / Median(this->Frames), this->Errors.GetRootMeanSquare(),
+    this->Errors.GetMaximum());
   return text;
 }

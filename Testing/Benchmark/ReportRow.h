@@ -1,6 +1,8 @@
 #ifndef ReportRow_h
 #define ReportRow_h
 
+#include "ReportErrors.h"
+
 #include <fstream>
 #include <string>
 #include <vector>
@@ -21,11 +23,8 @@ struct ReportRow
   double Prepare = 0.0; // of the first frame; 0 where the mapper does not say
   std::vector<double> Frames;
   double Reference = 0.0; // median of VTK's projected tetrahedra in the same run
-  double RootMeanSquare = 0.0;
-  double Percentile = 0.0;
-  double Maximum = 0.0;
-  double Share = 0.0;
-  long long MisorderedFaces = -1; // below zero where there is no order
+  ReportErrors Errors;
+  long long MisorderedFaces = -1; // most of the views; below zero where there is no order
   double ToShirleyTuchman = -1.0; // mean over covered pixels, in levels of 255; below zero: not asked
 
   static void WriteHeader(std::ostream& stream);

@@ -2,6 +2,7 @@
 
 #include "BenchmarkScene.h"
 #include "CellComplexReader.h"
+#include "FrameLimit.h"
 #include "OrderProof.h"
 #include "ViewEye.h"
 
@@ -22,7 +23,6 @@
 #include "vtkVisibilitySort.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 
@@ -39,38 +39,6 @@ public:
   }
 
   std::string Text;
-};
-
-/// Aborts a frame that takes too long; VTK's mappers ask for that.
-class FrameLimit : public vtkCommand
-{
-public:
-  static FrameLimit* New() { return new FrameLimit; }
-  void Watch(vtkRenderWindow* window, double seconds)
-  {
-    this->Seconds = seconds;
-    window->AddObserver(vtkCommand::StartEvent, this);
-    window->AddObserver(vtkCommand::AbortCheckEvent, this);
-  }
-  void Execute(vtkObject* window, unsigned long event, void*) override
-  {
-    const auto now = std::chrono::steady_clock::now();
-    if (event == vtkCommand::StartEvent)
-    {
-      this->Start = now;
-    }
-    else if (std::chrono::duration<double>(now - this->Start).count() > this->Seconds)
-    {
-      this->WasExceeded = true;
-      vtkRenderWindow::SafeDownCast(window)->SetAbortRender(1);
-    }
-  }
-
-  bool WasExceeded = false;
-
-private:
-  double Seconds = 0.0;
-  std::chrono::steady_clock::time_point Start = std::chrono::steady_clock::now();
 };
 
 vtkVariant Statistic(vtkUnstructuredGridVolumeMapper* mapper, const char* column)
@@ -121,6 +89,8 @@ ReportScene::ReportScene(const ReportMeshes::Mesh& mesh, const Settings& setting
   , Name(mesh.Name)
   , Whole(mesh.Grid)
   , Tetrahedra(CutToTetrahedra(mesh.Grid))
+  , Views(this->Tetrahedra, settings.ErrorSize)
+  , Levels(this->Tetrahedra)
 {
   vtkNew<vtkConvexCells> convex;
   convex->SetInputData(mesh.Grid);
@@ -136,19 +106,21 @@ void ReportScene::SetLook(const std::string& transfer, const std::string& light)
   this->Reference = transfer == this->Transfer ? this->Reference : 0.0;
   this->Transfer = transfer;
   this->Light = light;
-  this->Oracles.clear();
+  this->Views.Forget();
   this->ShirleyTuchman = nullptr;
 }
 
 //------------------------------------------------------------------------------
 vtkUnstructuredGrid* ReportScene::GetInput(const ReportMethods::Method& method)
 {
-  return method.NeedsTetrahedra ? this->Tetrahedra : this->Whole;
+  return method.NeedsTetrahedra ? this->Levels.Get(method.Simplified).Grid.GetPointer()
+                                : this->Whole.GetPointer();
 }
 
 //------------------------------------------------------------------------------
 void ReportScene::SetProperty(BenchmarkScene& scene)
 {
+  scene.SetFunctionsFor(this->Whole);
   vtkVolumeProperty* property = scene.Volume->GetProperty();
   property->SetShade(this->Light == "lit");
   property->SetAmbient(0.3);
@@ -187,25 +159,6 @@ bool ReportScene::IsDrawn(const ReportMethods::Method& method,
 }
 
 //------------------------------------------------------------------------------
-vtkCellProjectionOracle* ReportScene::GetOracle(
-  const ReportMethods::Method& method, int blendMode, BenchmarkScene& scene)
-{
-  vtkSmartPointer<vtkCellProjectionOracle>& oracle =
-    this->Oracles[BlendName(blendMode) + std::string(method.NeedsTetrahedra ? " cut" : "")];
-  if (!oracle)
-  {
-    oracle = vtkSmartPointer<vtkCellProjectionOracle>::New();
-    oracle->SetInputData(method.NeedsTetrahedra ? this->Tetrahedra : this->Convex);
-    oracle->SetVolume(scene.Volume);
-    oracle->SetCamera(scene.Renderer->GetActiveCamera());
-    oracle->SetSize(this->With.ErrorSize, this->With.ErrorSize);
-    oracle->SetBlendMode(blendMode);
-    oracle->Update();
-  }
-  return oracle;
-}
-
-//------------------------------------------------------------------------------
 long long ReportScene::CountMisordered(vtkVisibilitySort* sort, BenchmarkScene& scene)
 {
   std::vector<vtkIdType> order;
@@ -222,7 +175,7 @@ long long ReportScene::CountMisordered(vtkVisibilitySort* sort, BenchmarkScene& 
 }
 
 //------------------------------------------------------------------------------
-long long ReportScene::CountMisordered(
+long long ReportScene::CountMisordered(const ReportMethods::Method& method,
   vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene)
 {
   if (auto* theirs = vtkProjectedTetrahedraMapper::SafeDownCast(mapper))
@@ -230,7 +183,7 @@ long long ReportScene::CountMisordered(
     return this->CountMisordered(theirs->GetVisibilitySort(), scene);
   }
   auto* ours = vtkPreIntegratedTetrahedraMapper::SafeDownCast(mapper);
-  if (ours && ours->GetVisibilitySort())
+  if (ours && ours->GetVisibilitySort() && method.Simplified == 0.0)
   {
     return this->CountMisordered(ours->GetVisibilitySort(), scene);
   }
@@ -291,28 +244,37 @@ bool ReportScene::MeasureError(const ReportMethods::Method& method, ReportRow& r
   limit->Watch(scene.Window, this->With.SecondsPerFrame);
   // Of the first frame of VTK's projected tetrahedra a part is missing.
   scene.TimeFrame(0);
-  if (limit->WasExceeded)
+  for (int view = 0; view < ReportViews::Count && !limit->WasExceeded; ++view)
   {
-    return this->GiveUp(method);
+    this->Views.Look(view, scene.Renderer);
+    scene.Window->Render();
+    if (!limit->WasExceeded && !this->IsDrawn(method, mapper, listener->Text))
+    {
+      return false;
+    }
+    this->CompareView(view, method, mapper, scene, row);
   }
-  scene.TimeFrame(0);
-  if (!this->IsDrawn(method, mapper, listener->Text))
-  {
-    return false;
-  }
-  vtkCellProjectionOracle* oracle = this->GetOracle(method, mapper->GetBlendMode(), scene);
+  row.Blend = BlendName(mapper->GetBlendMode());
+  return !limit->WasExceeded || this->GiveUp(method);
+}
+
+//------------------------------------------------------------------------------
+void ReportScene::CompareView(int view, const ReportMethods::Method& method,
+  vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene, ReportRow& row)
+{
+  vtkCellProjectionOracle* oracle = this->Views.GetOracle(view, mapper->GetBlendMode(),
+    method.NeedsTetrahedra ? this->Tetrahedra : this->Convex, scene);
   auto* ours = vtkConvexCellMapper::SafeDownCast(mapper);
   const vtkSmartPointer<vtkImageData> image =
     ours ? ours->GetCapturedImage() : CaptureWindow(scene, oracle->GetImage()).GetPointer();
   oracle->Compare(image);
-  row.RootMeanSquare = oracle->GetRootMeanSquareError();
-  row.Percentile = oracle->GetPercentileError();
-  row.Maximum = oracle->GetMaximumError();
-  row.Share = oracle->GetShareAboveHalfLevel();
-  row.MisorderedFaces = this->CountMisordered(mapper, scene);
-  row.Blend = BlendName(mapper->GetBlendMode());
-  this->CompareWithShirleyTuchman(method, image, row);
-  return true;
+  row.Errors.Add(oracle, view == ReportViews::Inside);
+  row.MisorderedFaces =
+    std::max(row.MisorderedFaces, this->CountMisordered(method, mapper, scene));
+  if (view == 0)
+  {
+    this->CompareWithShirleyTuchman(method, image, row);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -328,11 +290,13 @@ bool ReportScene::MeasureSpeed(
   vtkNew<FrameLimit> limit;
   limit->Watch(scene.Window, this->With.SecondsPerFrame);
   row.First = scene.TimeFrame(0);
-  row.Prepare = Statistic(mapper, "SecondsPrepare").ToDouble();
+  row.Prepare = Statistic(mapper, "SecondsPrepare").ToDouble() +
+    (method.NeedsTetrahedra ? this->Levels.Get(method.Simplified).Seconds : 0.0);
   double spent = row.First;
+  const int least = method.Engine == "CPU" ? this->With.LeastFrames : this->With.Frames;
   for (int frame = 1; frame <= this->With.Frames && !limit->WasExceeded; ++frame)
   {
-    if (frame > this->With.LeastFrames && spent > seconds)
+    if (frame > least && spent > seconds)
     {
       break;
     }
@@ -346,7 +310,8 @@ bool ReportScene::MeasureSpeed(
 bool ReportScene::GiveUp(const ReportMethods::Method& method)
 {
   this->GivenUp.insert(method.Curve);
-  std::cout << "given up: " << method.Curve << " on " << this->Name << ", where a frame takes more than " << this->With.SecondsPerFrame << " s" << std::endl;
+  std::cout << "given up: " << method.Curve << " on " << this->Name
+            << ", where a frame takes more than " << this->With.SecondsPerFrame << " s" << std::endl;
   return false;
 }
 
@@ -354,7 +319,9 @@ bool ReportScene::GiveUp(const ReportMethods::Method& method)
 bool ReportScene::Measure(
   const ReportMethods::Method& method, double seconds, ReportRow& row)
 {
-  if (this->GivenUp.count(method.Curve) > 0)
+  // What a sort costs and gets wrong is the same in any light.
+  const bool isOfSort = method.Sort == "MPVO" || method.Sort == "Power" || method.Sort == "CellCenter";
+  if (this->GivenUp.count(method.Curve) > 0 || (this->Light == "lit" && isOfSort))
   {
     return false;
   }

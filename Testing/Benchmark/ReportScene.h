@@ -3,17 +3,17 @@
 
 #include "CellComplex.h"
 #include "ReportMeshes.h"
+#include "ReportLevels.h"
 #include "ReportMethods.h"
 #include "ReportRow.h"
+#include "ReportViews.h"
 
 #include "vtkSmartPointer.h"
 
-#include <map>
 #include <set>
 #include <string>
 
 class BenchmarkScene;
-class vtkCellProjectionOracle;
 class vtkImageData;
 class vtkUnstructuredGrid;
 class vtkUnstructuredGridVolumeMapper;
@@ -26,13 +26,13 @@ public:
   struct Settings
   {
     int Frames = 9;
-    int ImageSize = 512;
-    // The oracle visits every cell for every pixel: a smaller picture of the same view will do.
-    int ErrorSize = 96;
-    // After this many a row may be out of time.
+    int ImageSize = 256;
+    // The oracle visits every cell for every pixel: a small picture of each view will do.
+    int ErrorSize = 48;
+    // VTK's ray casters may be out of time after this many: a frame of ZSweep may take minutes.
     int LeastFrames = 2;
-    // A method with a longer frame is given up on the mesh: VTK's ZSweep may take minutes.
-    double SecondsPerFrame = 20.0;
+    // A method with a longer frame is given up on the mesh.
+    double SecondsPerFrame = 10.0;
   };
 
   ReportScene(const ReportMeshes::Mesh& mesh, const Settings& settings);
@@ -41,7 +41,7 @@ public:
   void SetLook(const std::string& transfer, const std::string& light);
 
   /// False where the method does not draw this light or engine here, or is given up, which one line
-  /// says. Frames that begin after `seconds` are left out.
+  /// says. Frames of VTK's ray casters that begin after `seconds` are left out.
   bool Measure(const ReportMethods::Method& method, double seconds, ReportRow& row);
 
 private:
@@ -53,9 +53,10 @@ private:
   bool MeasureSpeed(const ReportMethods::Method& method, double seconds, ReportRow& row);
   bool IsDrawn(const ReportMethods::Method& method, vtkUnstructuredGridVolumeMapper* mapper,
     const std::string& warnings);
-  vtkCellProjectionOracle* GetOracle(
-    const ReportMethods::Method& method, int blendMode, BenchmarkScene& scene);
-  long long CountMisordered(vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene);
+  void CompareView(int view, const ReportMethods::Method& method,
+    vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene, ReportRow& row);
+  long long CountMisordered(const ReportMethods::Method& method,
+    vtkUnstructuredGridVolumeMapper* mapper, BenchmarkScene& scene);
   long long CountMisordered(vtkVisibilitySort* sort, BenchmarkScene& scene);
   void CompareWithShirleyTuchman(
     const ReportMethods::Method& method, vtkImageData* image, ReportRow& row);
@@ -68,8 +69,8 @@ private:
   vtkSmartPointer<vtkUnstructuredGrid> Convex;
   vtkSmartPointer<vtkUnstructuredGrid> Tetrahedra;
   CellComplex Complex;
-  /// By blend mode and cells.
-  std::map<std::string, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
+  ReportViews Views;
+  ReportLevels Levels;
   vtkSmartPointer<vtkImageData> ShirleyTuchman;
   double Reference = 0.0;
   /// Curves.
