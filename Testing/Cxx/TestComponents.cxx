@@ -1,5 +1,6 @@
 // Dependent components: of two the first is the colour's scalar and the second the opacity's, of
-// four the first three are the colour. Against pictures of one component that show the same.
+// four the first three are the colour. Against pictures of one component that show the same, and
+// against the oracle.
 
 #include "TestMeshes.h"
 #include "TestScene.h"
@@ -123,6 +124,48 @@ void CheckFour(TestChecks& checks, bool lit)
   CHECK_AT_MOST(DifferenceTo(four, one.Mapper->GetCapturedImage()), 1e-3);
 }
 
+void CheckError(TestChecks& checks, ComponentScene& scene, const std::string& name)
+{
+  const double error = scene.MaximumError(name);
+  const double bound = scene.Property->GetShade() ? 1e-3 : 1e-4;
+  checks.Check(error >= 0.0 && error <= bound, name.c_str(), __LINE__, std::to_string(error));
+}
+
+// Components of which none follows from another.
+double Component(double scalar, int i)
+{
+  return 0.5 + 0.5 * std::sin((3.0 + i) * scalar + 2.0 * i);
+}
+
+void CheckOracle(TestChecks& checks, bool lit)
+{
+  for (const int components : { 1, 2, 4 })
+  {
+    ComponentScene scene;
+    scene.SetSpiky();
+    scene.Color->AddRGBPoint(0.3, 0.0, 1.0, 0.0);
+    scene.Property->SetShade(lit);
+    vtkNew<vtkDoubleArray> values;
+    scene.SetComponents(values, components, Component);
+    CheckError(checks, scene, std::to_string(components) + " components");
+    scene.LookFrom(0.1, -0.05, 0.2);
+    CheckError(checks, scene, std::to_string(components) + " components, inside");
+    // Independent: another component, another picture.
+    const auto dependent = scene.CopyCaptured();
+    scene.Property->IndependentComponentsOn();
+    CheckError(checks, scene, std::to_string(components) + " independent components");
+    const double change = TestScene::Difference(dependent, scene.Mapper->GetCapturedImage());
+    CHECK(components == 1 ? change < 1e-4 : change > 0.05);
+  }
+  ComponentScene bytes;
+  bytes.Property->SetShade(lit);
+  bytes.Opacity->AddPoint(255.0, 9.0);
+  vtkNew<vtkUnsignedCharArray> values;
+  bytes.SetComponents(
+    values, 4, [](double s, int i) { return std::round(255.0 * Component(s, i)); });
+  CheckError(checks, bytes, "4 bytes");
+}
+
 void CheckTable(TestChecks& checks)
 {
   ComponentScene scene;
@@ -148,6 +191,7 @@ int TestComponents(int, char*[])
   {
     CheckTwo(checks, lit);
     CheckFour(checks, lit);
+    CheckOracle(checks, lit);
   }
   CheckTable(checks);
   return checks.Result();

@@ -12,12 +12,25 @@
 
 #include <utility>
 
+namespace
+{
+OracleColors FindColors(int components, bool areIndependent)
+{
+  if (areIndependent || (components != 2 && components != 4))
+  {
+    return OracleColors::OfScalar;
+  }
+  return components == 2 ? OracleColors::OfOwnScalar : OracleColors::Direct;
+}
+}
+
 //------------------------------------------------------------------------------
 OracleGridReader::OracleGridReader(vtkUnstructuredGrid* grid, vtkDataArray* scalars,
-  bool cellScalars, const std::array<double, 16>& dataToWorld)
+  bool cellScalars, bool independentComponents, const std::array<double, 16>& dataToWorld)
   : Grid(grid)
   , Scalars(scalars)
   , CellScalars(cellScalars)
+  , Colors(FindColors(scalars->GetNumberOfComponents(), independentComponents))
   , Matrix(dataToWorld)
 {
   double center[3];
@@ -118,10 +131,28 @@ std::vector<OracleVertex> OracleGridReader::ReadVertices(vtkCell* cell, vtkIdTyp
     double p[3];
     cell->GetPoints()->GetPoint(corner, p);
     const OracleVector position = OracleVector{ p[0], p[1], p[2] } - this->DataCenter;
-    const double scalar = this->Scalars->GetComponent(this->CellScalars ? cellId : pointId, 0);
-    vertices.push_back({ pointId, this->Transform(position), scalar });
+    const vtkIdType tuple = this->CellScalars ? cellId : pointId;
+    const bool isOne = this->Colors == OracleColors::OfScalar;
+    const double scalar =
+      this->Scalars->GetComponent(tuple, isOne ? 0 : this->Scalars->GetNumberOfComponents() - 1);
+    vertices.push_back(
+      { pointId, this->Transform(position), scalar, OracleVector(), this->ReadColor(tuple) });
   }
   return vertices;
+}
+
+//------------------------------------------------------------------------------
+OracleVector OracleGridReader::ReadColor(vtkIdType tuple) const
+{
+  vtkDataArray* a = this->Scalars;
+  if (this->Colors == OracleColors::Direct)
+  {
+    const double unit = a->GetDataType() == VTK_UNSIGNED_CHAR ? 1.0 / 255.0 : 1.0;
+    return OracleVector{ a->GetComponent(tuple, 0), a->GetComponent(tuple, 1),
+             a->GetComponent(tuple, 2) } *
+      unit;
+  }
+  return { a->GetComponent(tuple, 0), 0.0, 0.0 };
 }
 
 //------------------------------------------------------------------------------

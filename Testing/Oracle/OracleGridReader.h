@@ -1,6 +1,7 @@
 /**
  * Fills OracleCells from a vtkUnstructuredGrid: points go through the actor's matrix to world units
- * relative to the mesh's centre, scalars come from component 0 of an array.
+ * relative to the mesh's centre, scalars come from component 0 of an array, or, of two and four
+ * components that depend on each other, from the last, and colours from those before it.
  *
  * Linear cells of dimension 3 are read: tetrahedra as such, all others as convex polyhedra by their
  * faces. Cells of lower dimension, non-linear cells and convex point sets, and cells marked as
@@ -12,6 +13,7 @@
 #define OracleGridReader_h
 
 #include "OracleCells.h"
+#include "OracleColors.h"
 #include "OracleGradients.h"
 
 #include "vtkType.h"
@@ -27,7 +29,9 @@ class OracleGridReader
 public:
   /** `dataToWorld`: 16 values row by row, affine. The arguments must outlive this object. */
   OracleGridReader(vtkUnstructuredGrid* grid, vtkDataArray* scalars, bool cellScalars,
-    const std::array<double, 16>& dataToWorld);
+    bool independentComponents, const std::array<double, 16>& dataToWorld);
+
+  OracleColors GetColors() const { return this->Colors; }
 
   /** The world position of the centre of the mesh's bounds: the zero of the cells' coordinates. */
   OracleVector GetCenter() const;
@@ -42,12 +46,14 @@ private:
   bool IsDrawn(vtkCell* cell, vtkIdType cellId) const;
   OracleGradients ReadGradients() const;
   std::vector<OracleVertex> ReadVertices(vtkCell* cell, vtkIdType cellId) const;
+  OracleVector ReadColor(vtkIdType tuple) const;
   static std::vector<std::vector<int>> ReadFaces(vtkCell* cell);
   OracleVector Transform(const OracleVector& vector) const;
 
   vtkUnstructuredGrid* Grid;
   vtkDataArray* Scalars;
   bool CellScalars;
+  OracleColors Colors;
   std::array<double, 16> Matrix;
   OracleVector DataCenter;
 };

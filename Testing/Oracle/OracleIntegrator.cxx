@@ -98,31 +98,42 @@ OracleIntegrator::Piece OracleIntegrator::Piece::GetPart(double from, double to)
 std::vector<OracleIntegrator::Piece> OracleIntegrator::Split(
   const OracleSegment& segment, const OracleRay& ray) const
 {
-  const double entry = segment.EntryScalar, exit = segment.ExitScalar;
-  const double length = segment.Exit - segment.Entry;
-  std::vector<double> scalars = { entry };
-  for (double scalar : this->Functions.GetBreaks())
+  const Piece whole = { segment.EntryScalar, segment.ExitScalar, segment.Exit - segment.Entry, 0.0,
+    1.0, &segment, &ray };
+  std::vector<double> shares = this->FindBreaks(segment.EntryScalar, segment.ExitScalar);
+  if (this->Colors == OracleColors::OfOwnScalar)
   {
-    if (std::min(entry, exit) < scalar && scalar < std::max(entry, exit))
+    for (double share : this->FindBreaks(segment.EntryColor.X, segment.ExitColor.X))
     {
-      scalars.push_back(scalar);
+      shares.push_back(share);
+    }
+    std::sort(shares.begin(), shares.end());
+  }
+  std::vector<Piece> pieces;
+  for (std::size_t i = 1; i < shares.size(); ++i)
+  {
+    if (shares[i - 1] < shares[i])
+    {
+      pieces.push_back(whole.GetPart(shares[i - 1], shares[i]));
     }
   }
-  if (exit < entry)
-  {
-    std::reverse(scalars.begin() + 1, scalars.end());
-  }
-  scalars.push_back(exit);
-  std::vector<Piece> pieces;
-  for (std::size_t i = 1; i < scalars.size(); ++i)
-  {
-    const double width = entry == exit ? 1.0 : exit - entry;
-    const double first = (scalars[i - 1] - entry) / width;
-    const double last = entry == exit ? 1.0 : (scalars[i] - entry) / width;
-    pieces.push_back(
-      { scalars[i - 1], scalars[i], length * (last - first), first, last, &segment, &ray });
-  }
   return pieces;
+}
+
+//------------------------------------------------------------------------------
+std::vector<double> OracleIntegrator::FindBreaks(double first, double last) const
+{
+  std::vector<double> shares = { 0.0 };
+  for (double scalar : this->Functions.GetBreaks())
+  {
+    if (std::min(first, last) < scalar && scalar < std::max(first, last))
+    {
+      shares.push_back((scalar - first) / (last - first));
+    }
+  }
+  shares.push_back(1.0);
+  std::sort(shares.begin(), shares.end());
+  return shares;
 }
 
 //------------------------------------------------------------------------------
@@ -183,7 +194,7 @@ OracleIntegrator::Light OracleIntegrator::Estimate(const Piece& piece, bool abso
 //------------------------------------------------------------------------------
 std::array<double, 3> OracleIntegrator::Shade(const Piece& piece, double share, double scalar) const
 {
-  const std::array<double, 3> color = this->Functions.GetColor(scalar);
+  const std::array<double, 3> color = this->GetColor(piece, share, scalar);
   if (!this->Shading)
   {
     return color;
@@ -192,6 +203,22 @@ std::array<double, 3> OracleIntegrator::Shade(const Piece& piece, double share, 
   const double t = segment.Entry + share * (segment.Exit - segment.Entry);
   return this->Shading->Shade(color, segment.GetGradient(share), piece.Ray->GetPoint(t),
     piece.Ray->Direction * -1.0);
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OracleIntegrator::GetColor(
+  const Piece& piece, double share, double scalar) const
+{
+  const OracleVector own = piece.Segment->GetColor(share);
+  switch (this->Colors)
+  {
+    case OracleColors::OfOwnScalar:
+      return this->Functions.GetColor(own.X);
+    case OracleColors::Direct:
+      return { own.X, own.Y, own.Z };
+    default:
+      return this->Functions.GetColor(scalar);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -17,6 +17,7 @@
 #ifndef OracleIntegrator_h
 #define OracleIntegrator_h
 
+#include "OracleColors.h"
 #include "OracleFunctions.h"
 #include "OracleQuadrature.h"
 #include "OracleRay.h"
@@ -31,10 +32,12 @@ class OracleIntegrator
 public:
   using Rgba = std::array<double, 4>;
 
-  /** `shading` may be null. */
-  OracleIntegrator(const OracleFunctions& functions, const OracleShading* shading)
+  /** `shading` may be null. The extremum's colour is always that of its scalar. */
+  OracleIntegrator(
+    const OracleFunctions& functions, const OracleShading* shading, OracleColors colors)
     : Functions(functions)
     , Shading(shading)
+    , Colors(colors)
   {
   }
 
@@ -73,6 +76,9 @@ private:
   Light Integrate(
     const std::vector<OracleSegment>& segments, const OracleRay& ray, bool absorbs) const;
   std::vector<Piece> Split(const OracleSegment& segment, const OracleRay& ray) const;
+  /** Ascending shares of a way from `first` to `last` at which it passes a break; 0 and 1 too. */
+  std::vector<double> FindBreaks(double first, double last) const;
+  std::array<double, 3> GetColor(const Piece& piece, double share, double scalar) const;
   Light Refine(
     const Piece& piece, const Light& whole, double transmittance, bool absorbs, int level) const;
   Light Estimate(const Piece& piece, bool absorbs) const;
@@ -83,6 +89,7 @@ private:
 
   const OracleFunctions& Functions;
   const OracleShading* Shading;
+  OracleColors Colors;
   OracleQuadrature Quadrature;
 };
 

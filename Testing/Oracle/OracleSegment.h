@@ -1,6 +1,6 @@
 /**
  * The part of a ray inside one cell: entry and exit as ray parameters in world length, entry <
- * exit, and scalar and gradient at both, linear between them.
+ * exit, and scalar, gradient and colour at both, linear between them.
  */
 
 #ifndef OracleSegment_h
@@ -16,11 +16,19 @@ struct OracleSegment
   double ExitScalar = 0.0;
   OracleVector EntryGradient;
   OracleVector ExitGradient;
+  OracleVector EntryColor;
+  OracleVector ExitColor;
 
   /** The gradient where `share` of the segment is passed. */
   OracleVector GetGradient(double share) const
   {
     return this->EntryGradient * (1.0 - share) + this->ExitGradient * share;
+  }
+
+  /** The vertices' colour there. */
+  OracleVector GetColor(double share) const
+  {
+    return this->EntryColor * (1.0 - share) + this->ExitColor * share;
   }
 
   /** Sets the scalars of this part of a whole segment with the scalars `first` and `last`. */

@@ -23,6 +23,7 @@ OracleTetrahedron::OracleTetrahedron(std::array<OracleVertex, 4> vertices)
     plane.Height = plane.Normal.Dot(vertices[opposite].Position - face[0]);
     plane.Scalar = vertices[opposite].Scalar;
     plane.Gradient = vertices[opposite].Gradient;
+    plane.Color = vertices[opposite].Color;
   }
 }
 
@@ -56,18 +57,21 @@ bool OracleTetrahedron::Clip(const OracleRay& ray, OracleSegment& segment) const
   }
   segment.Entry = entry;
   segment.Exit = exit;
-  this->Interpolate(ray, entry, segment.EntryScalar, segment.EntryGradient);
-  this->Interpolate(ray, exit, segment.ExitScalar, segment.ExitGradient);
+  const Values first = this->Interpolate(ray, entry), last = this->Interpolate(ray, exit);
+  segment.EntryScalar = first.Scalar;
+  segment.EntryGradient = first.Gradient;
+  segment.EntryColor = first.Color;
+  segment.ExitScalar = last.Scalar;
+  segment.ExitGradient = last.Gradient;
+  segment.ExitColor = last.Color;
   return true;
 }
 
 //------------------------------------------------------------------------------
-void OracleTetrahedron::Interpolate(
-  const OracleRay& ray, double t, double& scalar, OracleVector& gradient) const
+OracleTetrahedron::Values OracleTetrahedron::Interpolate(const OracleRay& ray, double t) const
 {
   double sum = 0.0;
-  scalar = 0.0;
-  gradient = OracleVector();
+  Values values;
   for (const Plane& plane : this->Planes)
   {
     const double height =
@@ -75,9 +79,12 @@ void OracleTetrahedron::Interpolate(
     // Rounding alone can leave [0, 1]; a scalar outside the vertices' range would fool MIP.
     const double weight = std::clamp(height / plane.Height, 0.0, 1.0);
     sum += weight;
-    scalar += weight * plane.Scalar;
-    gradient = gradient + plane.Gradient * weight;
+    values.Scalar += weight * plane.Scalar;
+    values.Gradient = values.Gradient + plane.Gradient * weight;
+    values.Color = values.Color + plane.Color * weight;
   }
-  scalar = scalar / sum;
-  gradient = gradient * (1.0 / sum);
+  values.Scalar = values.Scalar / sum;
+  values.Gradient = values.Gradient * (1.0 / sum);
+  values.Color = values.Color * (1.0 / sum);
+  return values;
 }

@@ -1,6 +1,6 @@
 /**
  * One tetrahedron as four planes: a ray enters through the largest front plane and leaves through
- * the smallest back plane; scalars and gradients are interpolated barycentrically at both.
+ * the smallest back plane; scalars, gradients and colours are interpolated barycentrically at both.
  *
  * A shared face gives both of its cells the same ray parameter, bit by bit, in any vertex
  * numbering.
@@ -25,7 +25,7 @@ public:
   bool Clip(const OracleRay& ray, OracleSegment& segment) const;
 
 private:
-  /** The plane of a face; Height, Scalar and Gradient are those of the opposite vertex. */
+  /** The plane of a face; Height and what follows are those of the opposite vertex. */
   struct Plane
   {
     OracleVector Point;
@@ -33,10 +33,17 @@ private:
     double Height;
     double Scalar;
     OracleVector Gradient;
+    OracleVector Color;
   };
 
-  void Interpolate(
-    const OracleRay& ray, double t, double& scalar, OracleVector& gradient) const;
+  /** What is linear in the cell, at a point of the ray. */
+  struct Values
+  {
+    double Scalar = 0.0;
+    OracleVector Gradient;
+    OracleVector Color;
+  };
+  Values Interpolate(const OracleRay& ray, double t) const;
 
   std::array<Plane, 4> Planes;
 };

@@ -1,7 +1,7 @@
 /**
  * A vertex of a cell: the mesh's point id (it fixes every choice that two cells must make alike),
- * the position in world units relative to the mesh's centre, the scalar, and its gradient where
- * one is asked for.
+ * the position in world units relative to the mesh's centre, the scalar, its gradient where one is
+ * asked for, and where colours do not come from the scalar a colour, or in X the scalar of it.
  */
 
 #ifndef OracleVertex_h
@@ -15,6 +15,7 @@ struct OracleVertex
   OracleVector Position;
   double Scalar = 0.0;
   OracleVector Gradient;
+  OracleVector Color;
 };
 
 #endif

@@ -118,7 +118,9 @@ bool vtkCellProjectionOracle::Update()
     return false;
   }
   const OracleMatrix::Values dataToWorld = OracleMatrix::Copy(this->Volume->GetMatrix());
-  const OracleGridReader reader(this->InputData, scalars, this->CellScalars, dataToWorld);
+  const bool areIndependent = this->Volume->GetProperty()->GetIndependentComponents() != 0;
+  const OracleGridReader reader(
+    this->InputData, scalars, this->CellScalars, areIndependent, dataToWorld);
   const OracleVector center = reader.GetCenter();
   const double zero[3] = { center.X, center.Y, center.Z };
   std::unique_ptr<OracleCamera> camera;
@@ -127,12 +129,14 @@ bool vtkCellProjectionOracle::Update()
     return false;
   }
   const bool withGradients = this->NeedsGradients();
-  if (withGradients && !reader.HasTetrahedraOnly())
+  const bool hasOwnColors = reader.GetColors() != OracleColors::OfScalar;
+  if ((withGradients || hasOwnColors) && !reader.HasTetrahedraOnly())
   {
-    vtkErrorMacro("Shading and gradient opacity need tetrahedra alone: cut the cells up first.");
+    vtkErrorMacro("Shading, gradient opacity and dependent components need tetrahedra alone: cut the "
+                  "cells up first.");
     return false;
   }
-  this->Draw(*camera, reader.Read(withGradients));
+  this->Draw(*camera, reader.Read(withGradients), reader.GetColors());
   return true;
 }
 
@@ -239,7 +243,8 @@ bool vtkCellProjectionOracle::CreateCamera(
 }
 
 //------------------------------------------------------------------------------
-void vtkCellProjectionOracle::Draw(const OracleCamera& camera, const OracleCells& cells)
+void vtkCellProjectionOracle::Draw(
+  const OracleCamera& camera, const OracleCells& cells, OracleColors colors)
 {
   this->Image = vtkSmartPointer<vtkImageData>::New();
   this->Image->SetDimensions(this->Size[0], this->Size[1], 1);
@@ -251,7 +256,7 @@ void vtkCellProjectionOracle::Draw(const OracleCamera& camera, const OracleCells
   const OracleShading shading = lights.Read(this->Volume->GetProperty(), this->Lights);
   const bool isLit =
     this->BlendMode == COMPOSITE_BLEND && this->Volume->GetProperty()->GetShade() != 0;
-  const OracleIntegrator integrator(functions, isLit ? &shading : nullptr);
+  const OracleIntegrator integrator(functions, isLit ? &shading : nullptr, colors);
   vtkSMPTools::For(0, this->Size[1], 1,
     [&](vtkIdType begin, vtkIdType end)
     {

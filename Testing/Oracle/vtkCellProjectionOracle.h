@@ -11,7 +11,8 @@
  *              (faces cut from the smallest point id, scalar linear on each triangle and between a
  *              ray's entry and exit). Ignored: 2-D and lower cells, non-linear cells and convex
  * point sets, duplicate and hidden (ghost) cells, cells of zero volume or with a non-finite value
- *     scalars  component 0 of the point array (default) or, constant per cell, of the cell array
+ *     scalars  component 0 of the point array (default) or, constant per cell, of the cell array;
+ *              with IndependentComponents off the last of two or four (value and opacity, RGBA)
  *     volume   its property's colour, opacity, gradient opacity, unit distance and lighting
  *              (component 0), its matrix; gradients are those at the points, volume-weighted from
  *              the tetrahedra around them, linear in between; composite alone is lit
@@ -23,7 +24,8 @@
  *
  * Errors: no input, volume or camera, a size below 1, an unknown blend mode, a missing array, a
  * unit distance that is not positive, a matrix without an inverse, a depth array of the wrong
- * length, and shading or gradient opacity of other cells than tetrahedra give one vtkErrorMacro, and Update() returns false and leaves no image.
+ * length, and shading, gradient opacity or dependent components of other cells than tetrahedra give
+ * one vtkErrorMacro, and Update() returns false and leaves no image.
  *
  * Not guaranteed: cells that overlap are drawn one after the other by the middles of their
  * segments; non-convex polyhedra are drawn as their outermost intersections; nothing is updated
@@ -45,6 +47,7 @@ class OracleCamera;
 class OracleCells;
 class OracleIntegrator;
 class OracleStatistics;
+enum class OracleColors;
 class vtkCamera;
 class vtkDataArray;
 class vtkImageData;
@@ -154,7 +157,7 @@ private:
   vtkDataArray* FindScalars();
   bool NeedsGradients();
   bool CreateCamera(const double center[3], std::unique_ptr<OracleCamera>& camera);
-  void Draw(const OracleCamera& camera, const OracleCells& cells);
+  void Draw(const OracleCamera& camera, const OracleCells& cells, OracleColors colors);
   void DrawRow(int row, const OracleCamera& camera, const OracleCells& cells,
     const OracleIntegrator& integrator, double* pixels);
   bool CheckCaptured(vtkImageData* captured);
