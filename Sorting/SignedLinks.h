@@ -24,12 +24,14 @@ public:
   int GetContact(int link) const { return this->Links[link].ContactAndSide >> 1; }
 
   /** 1 where the cell across a link is nearer to the eye, -1 where it is farther, 0 where neither
-   *  hides the other. */
-  int CompareAcross(int link) const
+   *  hides the other; the other way round where `reversed` is 1, not 0. */
+  int CompareAcross(int link, int reversed = 0) const
   {
     const int contactAndSide = this->Links[link].ContactAndSide;
     const int sign = this->Signs[contactAndSide >> 1];
-    return (contactAndSide & 1) != 0 ? sign : -sign;
+    // All bits of `mask` where the sign is to be negated: no branch, no product.
+    const int mask = ((contactAndSide & 1) - 1) ^ -reversed;
+    return (sign ^ mask) - mask;
   }
 
   /** Of the contacts, for the eye. */

@@ -61,6 +61,7 @@ list(APPEND sources
   Sorting/PowerCells.cxx
   Sorting/RadixSort.cxx
   Sorting/SharedSpheres.cxx
+  Sorting/SightHalves.cxx
   Sorting/SignedLinks.cxx
   Sorting/SimplifiedGrid.cxx
   Sorting/StarCell.cxx
@@ -131,6 +132,7 @@ list(APPEND private_headers
   Sorting/PowerLift.h
   Sorting/RadixSort.h
   Sorting/SharedSpheres.h
+  Sorting/SightHalves.h
   Sorting/SignedLinks.h
   Sorting/SimplifiedGrid.h
   Sorting/StarCell.h

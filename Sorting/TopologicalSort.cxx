@@ -1,19 +1,16 @@
 #include "TopologicalSort.h"
 
-#include <cstddef>
-
 namespace TopologicalSort
 {
 //------------------------------------------------------------------------------
 int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
-  std::vector<int>& stack, int numberOfMeshCells, int* ordered, int step)
+  CellStack& stack, int numberOfMeshCells, int* ordered, int step)
 {
   // Plain pointers: this loop is most of the time that a frame takes.
-  const std::size_t sources = stack.size();
-  stack.resize(cells.size() + 1);
-  int* top = stack.data() + sources;
+  int* const bottom = stack.Cells.data();
+  int* top = bottom + stack.Size;
   WaitingCell* all = cells.data();
-  while (top != stack.data())
+  while (top != bottom)
   {
     const int cell = *--top;
     if (cell < numberOfMeshCells)
@@ -37,7 +34,7 @@ int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
       }
     }
   }
-  stack.clear();
+  stack.Size = 0;
   return ordered;
 }
 }

@@ -24,13 +24,23 @@ struct alignas(16) WaitingCell
   bool IsWaiting() const { return this->State() >= Unit; }
 };
 
+/** Cells to take next, the last first. */
+struct CellStack
+{
+  /** Room for every cell; what is at Size and after it means nothing. */
+  std::vector<int> Cells;
+  int Size = 0;
+
+  void Push(int cell) { this->Cells[this->Size++] = cell; }
+};
+
 namespace TopologicalSort
 {
 /** Takes cells off `stack` and puts those released on it, until it is empty. Cells below
  *  `numberOfMeshCells` go to `ordered` and on in steps of `step`; returns where the next one would
  *  go. What waits for a circle stays out. */
 int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
-  std::vector<int>& stack, int numberOfMeshCells, int* ordered, int step);
+  CellStack& stack, int numberOfMeshCells, int* ordered, int step);
 }
 
 #endif

@@ -10,6 +10,7 @@ namespace
 {
 // Of a tetrahedron.
 constexpr int FewLinks = 4;
+constexpr vtkIdType BlockSize = 8192;
 }
 
 //------------------------------------------------------------------------------
@@ -22,50 +23,32 @@ void TwoEndedSort::Build(const SignedLinks& links, const std::vector<double>& ce
   this->NumberOfMeshCells = numberOfMeshCells;
   this->Cells.resize(static_cast<size_t>(links.GetNumberOfCells()));
   this->LongLists.resize(static_cast<size_t>(links.GetNumberOfLinks()));
-  this->FindOctants();
-  this->FindOwnHalf();
+  this->Stack.Cells.resize(this->Cells.size() + 1);
+  this->NearStack.Cells.resize(this->Cells.size() + 1);
+  this->Blocks.resize((this->Cells.size() + BlockSize - 1) / BlockSize);
+  this->Sight.Build(links, centers);
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::FindOctants()
+// By blocks that do not depend on the threads: what they hold is then in the order of the cells.
+template <class Work>
+void TwoEndedSort::ForEachBlock(Work work)
 {
   const auto cells = static_cast<vtkIdType>(this->Cells.size());
-  this->Octants.assign(this->Cells.size(), 0);
-  std::vector<double> along(this->Cells.size());
-  for (int axis = 0; axis < 3 && cells > 0; ++axis)
-  {
-    for (vtkIdType cell = 0; cell < cells; ++cell)
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Blocks.size()), 1,
+    [&](vtkIdType begin, vtkIdType end)
     {
-      along[cell] = (*this->Centers)[3 * cell + axis];
-    }
-    std::nth_element(along.begin(), along.begin() + cells / 2, along.end());
-    const double median = along[cells / 2];
-    for (vtkIdType cell = 0; cell < cells; ++cell)
-    {
-      this->Octants[cell] |= ((*this->Centers)[3 * cell + axis] >= median ? 1 : 0) << axis;
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void TwoEndedSort::FindOwnHalf()
-{
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    std::vector<unsigned char>& own = this->OwnHalf[axis];
-    own.assign(this->Cells.size(), 0);
-    for (int cell = 0; cell < static_cast<int>(own.size()); ++cell)
-    {
-      const int first = this->Links->Begin(cell);
-      const int count = std::min(this->Links->End(cell) - first, FewLinks);
-      for (int i = 0; i < count; ++i)
+      for (vtkIdType block = begin; block < end; ++block)
       {
-        const int octants =
-          this->Octants[cell] ^ this->Octants[this->Links->GetNeighbor(first + i)];
-        own[cell] |= static_cast<unsigned char>((~octants >> axis & 1) << i);
+        this->Blocks[block].Far.clear();
+        this->Blocks[block].Near.clear();
+        const vtkIdType last = std::min(cells, (block + 1) * BlockSize);
+        for (auto cell = static_cast<int>(block * BlockSize); cell < last; ++cell)
+        {
+          work(cell, this->Blocks[block]);
+        }
       }
-    }
-  }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -76,19 +59,12 @@ void TwoEndedSort::ChooseHalves(const double eye[4], bool centersFirst)
   {
     towards[i] = eye[i] - eye[3] * this->Center[i];
   }
-  const auto isSmaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  this->HalfAxis = static_cast<int>(std::max_element(towards, towards + 3, isSmaller) - towards);
-  this->FarBit = towards[this->HalfAxis] > 0.0 ? 0 : 1;
-  if (centersFirst)
-  {
-    // No octant has this bit: all cells are the far half, and come from their farthest on.
-    this->HalfAxis = 3;
-    this->FarBit = 0;
-  }
+  // By centres all cells are the far half, and come from their farthest on.
+  this->Halves = centersFirst ? nullptr : this->Sight.Find(towards, this->FarSide);
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::FindFewNext(int cell, int direction, int listed)
+void TwoEndedSort::FindFewNext(int cell, int reversed, int listed)
 {
   const int first = this->Links->Begin(cell);
   const int last = this->Links->End(cell);
@@ -97,7 +73,7 @@ void TwoEndedSort::FindFewNext(int cell, int direction, int listed)
   int before = 0;
   for (int link = first; link < last; ++link, listed >>= 1)
   {
-    const int across = direction * this->Links->CompareAcross(link);
+    const int across = this->Links->CompareAcross(link, reversed);
     before += across < 0 ? 1 : 0;
     // Written in any case, kept where it counts: no branch to guess.
     own.Next[count] = this->Links->GetNeighbor(link);
@@ -108,7 +84,7 @@ void TwoEndedSort::FindFewNext(int cell, int direction, int listed)
 
 //------------------------------------------------------------------------------
 template <class Predicate>
-WaitingCell TwoEndedSort::FindNext(int cell, int direction, Predicate isListed, bool countsAll)
+WaitingCell TwoEndedSort::FindNext(int cell, int reversed, Predicate isListed, bool countsAll)
 {
   const int first = this->Links->Begin(cell);
   const int last = this->Links->End(cell);
@@ -117,7 +93,7 @@ WaitingCell TwoEndedSort::FindNext(int cell, int direction, Predicate isListed, 
   int before = 0;
   for (int link = first; link < last; ++link)
   {
-    const int across = direction * this->Links->CompareAcross(link);
+    const int across = this->Links->CompareAcross(link, reversed);
     const int neighbor = this->Links->GetNeighbor(link);
     const bool listed = isListed(neighbor);
     before += across < 0 && (countsAll || listed) ? 1 : 0;
@@ -138,44 +114,32 @@ WaitingCell TwoEndedSort::FindNext(int cell, int direction, Predicate isListed, 
 void TwoEndedSort::FindNextInHalf(int cell)
 {
   const bool far = this->IsFar(cell);
-  const int direction = far ? 1 : -1;
+  const int reversed = far ? 0 : 1;
   if (this->Links->End(cell) - this->Links->Begin(cell) <= FewLinks)
   {
-    const int listed = this->HalfAxis < 3 ? this->OwnHalf[this->HalfAxis][cell] : ~0;
-    this->FindFewNext(cell, direction, listed);
+    const int listed = this->Halves ? this->Halves[cell] : ~0;
+    this->FindFewNext(cell, reversed, listed);
     if (this->Cells[cell].State() % WaitingCell::Unit < WaitingCell::LongList)
     {
       return;
     }
   }
   this->Cells[cell] = this->FindNext(
-    cell, direction, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
+    cell, reversed, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
 }
 
 //------------------------------------------------------------------------------
 void TwoEndedSort::FindNext()
 {
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Cells.size()),
-    [&](vtkIdType begin, vtkIdType end)
+  this->ForEachBlock(
+    [this](int cell, Block& block)
     {
-      for (auto cell = static_cast<int>(begin); cell < end; ++cell)
+      this->FindNextInHalf(cell);
+      if (!this->IsWaiting(cell))
       {
-        this->FindNextInHalf(cell);
+        (this->IsFar(cell) ? block.Far : block.Near).push_back(cell);
       }
     });
-}
-
-//------------------------------------------------------------------------------
-void TwoEndedSort::TakeSources(bool far, std::vector<int>& stack)
-{
-  stack.clear();
-  for (int cell = 0; cell < static_cast<int>(this->Cells.size()); ++cell)
-  {
-    if (this->IsFar(cell) == far && !this->IsWaiting(cell))
-    {
-      stack.push_back(cell);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
@@ -188,12 +152,17 @@ double TwoEndedSort::GetDistance(int cell, const double eye[4]) const
 //------------------------------------------------------------------------------
 void TwoEndedSort::SortHalf(bool far, const double eye[4], bool centersFirst)
 {
-  std::vector<int>& stack = far ? this->Stack : this->NearStack;
-  this->TakeSources(far, stack);
+  CellStack& stack = far ? this->Stack : this->NearStack;
+  for (const Block& block : this->Blocks)
+  {
+    const std::vector<int>& sources = far ? block.Far : block.Near;
+    std::copy(sources.begin(), sources.end(), stack.Cells.begin() + stack.Size);
+    stack.Size += static_cast<int>(sources.size());
+  }
   if (centersFirst)
   {
     // The stack's end is taken first.
-    std::sort(stack.begin(), stack.end(),
+    std::sort(stack.Cells.begin(), stack.Cells.begin() + stack.Size,
       [&](int a, int b) { return this->GetDistance(a, eye) < this->GetDistance(b, eye); });
   }
   int* const begin = this->Order.data();
@@ -221,32 +190,43 @@ void TwoEndedSort::Sort(const double eye[4], bool centersFirst)
 }
 
 //------------------------------------------------------------------------------
+void TwoEndedSort::FindRest()
+{
+  this->ForEachBlock(
+    [this](int cell, Block& block)
+    {
+      if (this->IsWaiting(cell))
+      {
+        block.Far.push_back(cell);
+      }
+    });
+  this->Rest.clear();
+  for (const Block& block : this->Blocks)
+  {
+    this->Rest.insert(this->Rest.end(), block.Far.begin(), block.Far.end());
+  }
+}
+
+//------------------------------------------------------------------------------
 void TwoEndedSort::SortRest()
 {
-  std::vector<int> rest;
-  for (int cell = 0; cell < static_cast<int>(this->Cells.size()); ++cell)
-  {
-    if (this->IsWaiting(cell))
-    {
-      rest.push_back(cell);
-    }
-  }
-  std::vector<WaitingCell> cells(rest.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(rest.size()),
+  this->FindRest();
+  this->RestCells.resize(this->Rest.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Rest.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        cells[i] = this->FindNext(
-          rest[i], 1, [this](int neighbor) { return this->IsWaiting(neighbor); }, false);
+        this->RestCells[i] = this->FindNext(
+          this->Rest[i], 0, [this](int neighbor) { return this->IsWaiting(neighbor); }, false);
       }
     });
-  for (size_t i = 0; i < rest.size(); ++i)
+  for (size_t i = 0; i < this->Rest.size(); ++i)
   {
-    this->Cells[rest[i]] = cells[i];
-    if (!cells[i].IsWaiting())
+    this->Cells[this->Rest[i]] = this->RestCells[i];
+    if (!this->RestCells[i].IsWaiting())
     {
-      this->Stack.push_back(rest[i]);
+      this->Stack.Push(this->Rest[i]);
     }
   }
   this->SortOn();
@@ -277,7 +257,7 @@ void TwoEndedSort::Release(const std::vector<int>& circle)
         this->Cells[neighbor].State() -= WaitingCell::Unit;
         if (!this->IsWaiting(neighbor))
         {
-          this->Stack.push_back(neighbor);
+          this->Stack.Push(neighbor);
         }
       }
     }

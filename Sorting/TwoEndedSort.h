@@ -5,8 +5,8 @@
  * by a thread of its own. What the first reaches without the near half comes first in every order
  * that it begins, what the second reaches without the far half last: both are right, and what is
  * left, about where the halves meet, is sorted between them. What is left over then waits for a
- * circle. The halves are those of one axis, so they do not depend on the threads, nor does the
- * order.
+ * circle. The halves are those of the direction nearest to the line of sight, so they do not depend
+ * on the threads, nor does the order.
  *
  * Cells are numbered so that neighbours in space are neighbours in memory, those of the mesh first:
  * others are sorted, but are not in the order.
@@ -14,10 +14,10 @@
 #ifndef TwoEndedSort_h
 #define TwoEndedSort_h
 
+#include "SightHalves.h"
 #include "SignedLinks.h"
 #include "TopologicalSort.h"
 
-#include <array>
 #include <vector>
 
 class TwoEndedSort
@@ -47,19 +47,25 @@ public:
   const std::vector<int>& GetOrder() const { return this->Order; }
 
 private:
-  void FindOctants();
+  /** What a thread finds in a run of cells. */
+  struct Block
+  {
+    std::vector<int> Far;
+    std::vector<int> Near;
+  };
+  template <class Work>
+  void ForEachBlock(Work work);
   void ChooseHalves(const double eye[4], bool centersFirst);
   bool IsFar(int cell) const
   {
-    return ((this->Octants[cell] >> this->HalfAxis) & 1) == this->FarBit;
+    return !this->Halves || (this->Halves[cell] & SightHalves::Positive) == this->FarSide;
   }
-  void FindOwnHalf();
-  void FindFewNext(int cell, int direction, int listed);
+  void FindFewNext(int cell, int reversed, int listed);
   template <class Predicate>
-  WaitingCell FindNext(int cell, int direction, Predicate isListed, bool countsAll);
+  WaitingCell FindNext(int cell, int reversed, Predicate isListed, bool countsAll);
   void FindNextInHalf(int cell);
   void FindNext();
-  void TakeSources(bool far, std::vector<int>& stack);
+  void FindRest();
   void SortHalf(bool far, const double eye[4], bool centersFirst);
   void SortRest();
   void SortOn();
@@ -68,18 +74,19 @@ private:
   const std::vector<double>* Centers = nullptr;
   double Center[3] = { 0.0, 0.0, 0.0 };
   int NumberOfMeshCells = 0;
-  // Bit i: beyond the median of the centres along axis i.
-  std::vector<unsigned char> Octants;
-  // Of each cell by axis: bit k says that its link k, of the first four, stays in its half.
-  std::array<std::vector<unsigned char>, 3> OwnHalf;
+  SightHalves Sight;
 
-  // Per eye. LongLists: the neighbours that a cell with many releases, from its first link on.
-  int HalfAxis = 0;
-  int FarBit = 0;
+  // Per eye. Halves: null where all cells are the far half. LongLists: the neighbours that a cell
+  // with many releases, from its first link on.
+  const unsigned char* Halves = nullptr;
+  unsigned char FarSide = 0;
+  std::vector<Block> Blocks;
+  std::vector<int> Rest;
+  std::vector<WaitingCell> RestCells;
   std::vector<WaitingCell> Cells;
   std::vector<int> LongLists;
-  std::vector<int> Stack;
-  std::vector<int> NearStack;
+  CellStack Stack;
+  CellStack NearStack;
   // Filled from both ends: what is between NumberOrdered and NearBegin is still to come.
   std::vector<int> Order;
   int NumberOrdered = 0;
