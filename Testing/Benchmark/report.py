@@ -173,7 +173,8 @@ def read_levels(looks):
             lines.append(f"{scene}, {transfer}, {row['setting']}: {100.0 * row['cells'] / standard['cells']:.1f} % of the "
                          f"cells, {standard['median_ms'] / row['median_ms']:.2f} times as fast, "
                          f"{row['levels_to_shirley_tuchman']:.2f} levels off"
-                         + (f" (paper: {paper[0]:.2f} times, {paper[1]:.2f})" if paper else ""))
+                         + (f" (paper{', over its level of 2 %' * (scene == 'Blunt Fin')}: {paper[0]:.2f} times, "
+                            f"{paper[1]:.2f})" if paper else ""))
         for row in rows if levels else ():
             if row["method"] in CHEAP:
                 cheap += 1
