@@ -18,6 +18,23 @@ namespace
 using TetrahedralSplit::Shape;
 
 constexpr vtkIdType BlockSize = 4096;
+
+// Of a voxel in a hexahedron's order: along the axes, as VTK has it.
+bool IsBox(const double (*points)[3])
+{
+  constexpr int high[3][4] = { { 1, 2, 5, 6 }, { 2, 3, 6, 7 }, { 4, 5, 6, 7 } };
+  constexpr int low[3][4] = { { 0, 3, 4, 7 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
+  bool isBox = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 1; i < 4; ++i)
+    {
+      isBox = isBox && points[high[axis][i]][axis] == points[high[axis][0]][axis] &&
+              points[low[axis][i]][axis] == points[low[axis][0]][axis];
+    }
+  }
+  return isBox;
+}
 }
 
 /** What one thread reads a cell into. */
@@ -94,13 +111,13 @@ ConvexCellConversion::Coordinates* ConvexCellConversion::FetchPoints(
   return reinterpret_cast<Coordinates*>(scratch.Points.data());
 }
 
-ConvexCellCut ConvexCellConversion::FindCut(int type) const
+ConvexCellCut ConvexCellConversion::FindCut(int type, const double (*points)[3]) const
 {
   if (this->TetrahedraOnly)
   {
     return ConvexCellCut::All;
   }
-  const bool isConvex = type == VTK_TETRA || type == VTK_VOXEL;
+  const bool isConvex = type == VTK_TETRA || (type == VTK_VOXEL && IsBox(points));
   return isConvex ? ConvexCellCut::None : ConvexCellCut::NonConvex;
 }
 
@@ -147,8 +164,8 @@ ConvexCellPlan ConvexCellConversion::PlanCell(
   {
     return plan;
   }
-  plan = PlanConvexCell(
-    shape, scratch.Ids, this->FetchPoints(scratch.Ids, count, scratch), this->FindCut(type));
+  Coordinates* points = this->FetchPoints(scratch.Ids, count, scratch);
+  plan = PlanConvexCell(shape, scratch.Ids, points, this->FindCut(type, points));
   if (plan.Folded)
   {
     this->Stars.Try(cell, TetrahedralSplit::SolidOf(shape), scratch.Ids,
@@ -173,8 +190,9 @@ ConvexCellPlan ConvexCellConversion::PlanSurfaceCell(
   }
   const std::vector<vtkIdType>& ids = scratch.Surface.GetIds();
   const int count = static_cast<int>(ids.size());
-  plan = PlanPolyhedron(scratch.Surface, this->FetchPoints(ids.data(), count, scratch),
-    this->FindCut(VTK_POLYHEDRON), cursor);
+  Coordinates* points = this->FetchPoints(ids.data(), count, scratch);
+  plan =
+    PlanPolyhedron(scratch.Surface, points, this->FindCut(VTK_POLYHEDRON, points), cursor);
   if (plan.Fate == ConvexCellPlan::Concave)
   {
     this->Stars.Try(cell, scratch.Surface.GetSolid(), ids.data(),

@@ -66,7 +66,7 @@ private:
   using Coordinates = double[3];
   struct Scratch;
 
-  ConvexCellCut FindCut(int type) const;
+  ConvexCellCut FindCut(int type, const double (*points)[3]) const;
   ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
   ConvexCellPlan PlanSurfaceCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
   ConvexCellPlan PlanReplacedCell(vtkIdType cell, ConvexCellCursor& cursor) const;

@@ -12,6 +12,9 @@ namespace
 using TetrahedralSplit::Pieces;
 using TetrahedralSplit::Shape;
 
+// Of the product of three edges.
+constexpr double FlatShare = 1e-9;
+
 bool RepeatsAnId(const vtkIdType* ids, int count)
 {
   for (int i = 1; i < count; ++i)
@@ -60,6 +63,20 @@ void Unfold(Shape shape, const vtkIdType* ids, const double (*points)[3], Convex
   plan.Folded = false;
 }
 
+// Whether six times a tetrahedron's volume is too little of what its edges span to tell which way
+// the faces of a cell are wound.
+bool IsFlat(
+  double volume, const double a[3], const double b[3], const double c[3], const double d[3])
+{
+  double squared = FlatShare * FlatShare;
+  for (const double* end : { b, c, d })
+  {
+    const double x = end[0] - a[0], y = end[1] - a[1], z = end[2] - a[2];
+    squared *= x * x + y * y + z * z;
+  }
+  return volume * volume <= squared;
+}
+
 // Most cells are convex, and then one tetrahedron tells which way their faces are wound.
 bool TakeWhole(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
   const double (*points)[3], ConvexCellPlan& plan)
@@ -72,7 +89,8 @@ bool TakeWhole(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
   }
   const double volume =
     TetrahedralSplit::SixVolumes(points[off], points[face[0]], points[face[1]], points[face[2]]);
-  if (volume == 0.0 || !ConvexityTest::IsConvex(solid, ids, points, volume))
+  if (IsFlat(volume, points[off], points[face[0]], points[face[1]], points[face[2]]) ||
+    !ConvexityTest::IsConvex(solid, ids, points, volume))
   {
     return false;
   }

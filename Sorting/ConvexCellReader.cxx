@@ -260,6 +260,9 @@ ConvexCellPlan::FateType ConvexCellReader::ListHull(
   {
     points.Get(ids[i], &coordinates[3 * i]);
   }
+  // Exact signs are exact as long as no product underflows.
+  TetrahedralSplit::ScaleIfExtreme(
+    reinterpret_cast<double(*)[3]>(coordinates.data()), static_cast<int>(ids.size()));
   PointSetFaces::List(ids, coordinates, list);
   return ConvexCellPlan::Whole;
 }

@@ -137,6 +137,10 @@ void ConvexHull::FindVisible(
     for (int edge = 0; edge < 3; ++edge)
     {
       const int to = this->Facets[from].Neighbors[edge];
+      if (to < 0)
+      {
+        continue; // products have underflowed: the hull stays open
+      }
       Facet& neighbor = this->Facets[to];
       if (neighbor.VisitedFor == apex)
       {

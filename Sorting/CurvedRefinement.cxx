@@ -205,7 +205,9 @@ void CurvedRefinement::Halve(const Place& place)
   }
 }
 
-// A node of the cell that lies there is taken: a polyhedron next to it may have it, too.
+// A node of the cell that lies there is taken: a polyhedron next to it may have it, too. It halves
+// one edge only, and before it ends any: so what halves an edge is always newer than its ends, and
+// Cut comes to an end in cells that run into themselves.
 vtkIdType CurvedRefinement::FindOrAddPoint(
   const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& reference)
 {
@@ -217,8 +219,9 @@ vtkIdType CurvedRefinement::FindOrAddPoint(
     const vtkIdType id = this->Points.GetCanonical()[this->Cell.GetIds()->GetId(i)];
     this->Points.Get(id, node.data());
     const auto& ids = tetrahedron.Ids;
-    if (node == x && std::find(ids.begin(), ids.end(), id) == ids.end())
+    if (node == x && !this->Touched[id] && std::find(ids.begin(), ids.end(), id) == ids.end())
     {
+      this->Touched[id] = 1;
       return id;
     }
   }

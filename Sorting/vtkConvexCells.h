@@ -20,10 +20,11 @@
  * of its faces the normals of these triangles are within 60 degrees of each other, every corner off
  * the face lies inside the plane of each triangle within 1e-9 of the cell's size, and a face of
  * five or more corners is planar within 1e-5 of its size: hexahedra with slightly warped faces stay
- * whole. Tetrahedra and voxels are not tested.
+ * whole. Tetrahedra, and voxels that are boxes along the axes, are not tested.
  *
  * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners
- * where one sees the whole surface, or else from a point within that does (the centre of the
+ * where one sees the whole surface (but for faces that it looks along within 1e-6 of the cell's
+ * size: what is so flat is dropped), or else from a point within that does (the centre of the
  * largest ball between the planes of its faces' triangles; its data by mean value coordinates); the
  * triangles of its faces stay as they are. If there is none, it is counted as folded and its
  * tetrahedra, all turned positive, overlap; a polyhedron is left out as concave instead. A face

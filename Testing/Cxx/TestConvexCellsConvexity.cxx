@@ -162,15 +162,22 @@ void TestDentNumberings(int precision, double error)
   CHECK_EQUAL(folded, 0);
 }
 
-// A voxel is a box by definition, and taken at its word.
-void TestNotTested()
+// A voxel is a box by definition; one that is not is a hexahedron.
+void TestVoxel()
 {
-  auto grid = MakeGrid(Cube());
-  grid->GetPoints()->SetPoint(6, .3, .3, .3);
-  AddCell(grid, VTK_VOXEL, { 0, 1, 3, 2, 4, 5, 7, 6 });
-  auto filter = Run(grid, false);
-  CHECK_EQUAL(filter->GetNumberOfNonConvexCells(), 0);
-  CHECK_EQUAL(filter->GetOutput()->GetCellType(0), VTK_HEXAHEDRON);
+  for (const bool isBox : { true, false })
+  {
+    auto grid = MakeGrid(Cube());
+    if (!isBox)
+    {
+      grid->GetPoints()->SetPoint(6, .3, .3, .3);
+    }
+    AddCell(grid, VTK_VOXEL, { 0, 1, 3, 2, 4, 5, 7, 6 });
+    auto filter = Run(grid, false);
+    CHECK_EQUAL(filter->GetNumberOfNonConvexCells(), isBox ? 0 : 1);
+    CHECK_EQUAL(filter->GetOutput()->GetCellType(0), isBox ? VTK_HEXAHEDRON : VTK_TETRA);
+    CHECK(!isBox || Near(VolumeWithin(filter->GetOutput()), 1.0));
+  }
 }
 }
 
@@ -183,6 +190,6 @@ int TestConvexCellsConvexity(int, char*[])
   TestNeighbours();
   TestDentNumberings(VTK_DOUBLE, 1e-9);
   TestDentNumberings(VTK_FLOAT, 1e-6);
-  TestNotTested();
+  TestVoxel();
   return Result();
 }
