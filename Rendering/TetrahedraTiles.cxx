@@ -4,9 +4,7 @@
 #include "CellProjectionFrame.h"
 #include "PreparedVolume.h"
 #include "TetrahedraSelection.h"
-#include "VolumePropertyReader.h"
-#include "vtkVolume.h"
-#include "vtkVolumeProperty.h"
+#include "VolumeShading.h"
 
 #include <algorithm>
 
@@ -16,19 +14,6 @@ std::string TetrahedraTiles::FindObstacle(const CellProjectionFrame& frame)
   if (std::max(frame.Size[0], frame.Size[1]) > TileSize::LargestImage)
   {
     return "viewports of more than " + std::to_string(TileSize::LargestImage) + " pixels";
-  }
-  vtkVolumeProperty* property = frame.Volume->GetProperty();
-  if (property->GetShade())
-  {
-    return "with light";
-  }
-  if (!property->GetIndependentComponents())
-  {
-    return "dependent components";
-  }
-  if (VolumePropertyReader(property).HasGradientOpacity())
-  {
-    return "with gradient opacity";
   }
   return "";
 }
@@ -61,6 +46,25 @@ void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSel
 }
 
 //------------------------------------------------------------------------------
+void TetrahedraTiles::UpdateShading(const VolumeShading& shading)
+{
+  const bool hasGradients = shading.IsLit || shading.HasGradientOpacity;
+  if (hasGradients && (this->GradientsTime < this->CellsTime ||
+                        this->GradientsTime < shading.GradientsTime))
+  {
+    this->Engine.SetGradients(shading.Gradients.Values);
+    this->GradientsTime.Modified();
+  }
+  const DependentColors& colors = shading.Colors;
+  if (colors.Kind != DependentColors::None &&
+      (this->ColorsTime < this->CellsTime || this->ColorsTime < colors.Time))
+  {
+    this->Engine.SetColors(colors.Values, colors.OnePerCell);
+    this->ColorsTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
 vtkIdType TetrahedraTiles::CountFlatCells() const
 {
   const std::vector<signed char>& orientations = this->Engine.GetMesh().Orientations;
@@ -68,8 +72,8 @@ vtkIdType TetrahedraTiles::CountFlatCells() const
 }
 
 //------------------------------------------------------------------------------
-const float* TetrahedraTiles::Draw(
-  CellProjectionFrame& frame, const PreparedVolume& prepared, const BackToFrontOrder* order)
+const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVolume& prepared,
+  const VolumeShading& shading, const BackToFrontOrder* order)
 {
   TilesEngine::Scene scene;
   scene.Camera.MeshToView = frame.Rays.MeshToView;
@@ -78,6 +82,7 @@ const float* TetrahedraTiles::Draw(
   scene.Camera.Width = frame.Size[0];
   scene.Camera.Height = frame.Size[1];
   scene.Function = &prepared.Function;
+  scene.Shading = &shading;
   scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
   scene.ClippingPlanes = frame.ClippingPlanes;
   scene.BackToFront = order ? &order->Cells : nullptr;

@@ -9,6 +9,7 @@
 
 class BackToFrontOrder;
 class TetrahedraSelection;
+class VolumeShading;
 struct CellProjectionFrame;
 struct PreparedVolume;
 
@@ -27,17 +28,20 @@ public:
   void Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
     const vtkTimeStamp& selectionTime);
 
+  /// Takes what lights, opens or colours the cells where that is newer than what it has.
+  void UpdateShading(const VolumeShading& shading);
+
   /// Premultiplied RGBA of the viewport's size; null where it cannot. `order` null: the engine
   /// finds its own. Sets the frame's RepairedPixels.
-  const float* Draw(
-    CellProjectionFrame& frame, const PreparedVolume& prepared, const BackToFrontOrder* order);
+  const float* Draw(CellProjectionFrame& frame, const PreparedVolume& prepared,
+    const VolumeShading& shading, const BackToFrontOrder* order);
 
   /// Cells that are flat once their points are floats: they are not drawn.
   vtkIdType CountFlatCells() const;
 
 private:
   TilesEngine Engine;
-  vtkTimeStamp CellsTime, ScalarsTime, SelectionTime;
+  vtkTimeStamp CellsTime, ScalarsTime, SelectionTime, GradientsTime, ColorsTime;
 };
 
 #endif

@@ -341,7 +341,9 @@ const float* vtkPreIntegratedTetrahedraMapper::DrawTiles(CellProjectionFrame& fr
   internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime);
   this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.CountFlatCells()));
   const bool hasOrder = internal.Sort || this->ReportOrder;
-  return internal.Tiles.Draw(frame, prepared, hasOrder ? &internal.Order : nullptr);
+  internal.Tiles.UpdateShading(internal.Shading);
+  return internal.Tiles.Draw(
+    frame, prepared, internal.Shading, hasOrder ? &internal.Order : nullptr);
 }
 
 //------------------------------------------------------------------------------

@@ -43,6 +43,7 @@ inline void ClipFragments(const TileTask& task, const TileRectangle& tile, TileF
       q.ScalarIn[kept] = scalarIn + begin * change;
       q.ScalarOut[kept] = end < extent ? scalarIn + end * change : q.ScalarOut[i];
       q.Pixel[kept] = q.Pixel[i];
+      q.Cell[kept] = q.Cell[i];
       ++kept;
     }
   }

@@ -246,6 +246,7 @@ inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const Til
   static const FaceLists lists;
   for (; k < count && out.Count < TileFragments::Full; ++k)
   {
+    out.BeginCell(ids[k]);
     if (group.Exact[k] != 0 || task.AllExact || (task.Cells->Faces[ids[k]] & TileCells::Exact))
     {
       CoverExactCell(task, tile, ids[k], out);

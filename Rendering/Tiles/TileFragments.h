@@ -7,6 +7,8 @@
 
 #include "TileCells.h"
 
+#include <algorithm>
+
 struct TileFragments
 {
   /** Emptied between cells when there are this many; one cell covers a tile at most. */
@@ -21,8 +23,38 @@ struct TileFragments
   alignas(64) float ScalarOut[Capacity];
   /** In the tile, row by row. */
   alignas(64) int Pixel[Capacity];
+  /** Where they are named (NamesCells): the cell's id. */
+  alignas(64) int Cell[Capacity];
   /** Shaded: premultiplied red, green, blue, and minus alpha, in slots (TileColors-inl.h). */
   alignas(64) float Slots[Capacity][4];
+
+  /** The fragments from here on are this cell's. */
+  void BeginCell(int cell)
+  {
+    if (this->NamesCells)
+    {
+      // A cell that covered nothing is forgotten.
+      const bool isNew = this->Runs == 0 || this->RunStart[this->Runs - 1] < this->Count;
+      this->Runs += isNew ? 1 : 0;
+      this->RunStart[this->Runs - 1] = this->Count;
+      this->RunCell[this->Runs - 1] = cell;
+    }
+  }
+  void NameCells()
+  {
+    for (int run = 0; run < this->Runs; ++run)
+    {
+      const int end = run + 1 < this->Runs ? this->RunStart[run + 1] : this->Count;
+      std::fill(this->Cell + this->RunStart[run], this->Cell + end, this->RunCell[run]);
+    }
+    this->Runs = 0;
+  }
+  bool NamesCells = false;
+
+private:
+  int Runs = 0;
+  int RunStart[Capacity];
+  int RunCell[Capacity];
 };
 
 /** What is left to shade of fragments that a node of the transfer function, or an optical depth of

@@ -40,6 +40,8 @@ public:
   std::vector<unsigned char> Steps;
   /** The cell's id in what Build was given. */
   std::vector<int> Source;
+  /** The point's id in what Build was given. */
+  std::vector<int> PointSource;
   /** Empty where scalars are the points'. */
   std::vector<float> CellScalars;
 
@@ -48,8 +50,6 @@ private:
   void CopyCells(const std::vector<float>& points, const std::vector<int>& corners);
   void FindOrientations();
   void FindSteps();
-
-  std::vector<int> PointSource;
 };
 
 #endif

@@ -6,6 +6,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "TileLitShading.h"
 #include "TileProjection.h"
 #include "TileScratch.h"
 
@@ -16,6 +17,7 @@
 #include "TileShading-inl.h"
 
 #include <algorithm>
+#include <memory>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -51,8 +53,10 @@ void CoverTile(
   const SetupBounds bounds(task);
   const std::vector<int>& ids = scratch.Drawn;
   scratch.Fragments.Count = 0;
+  scratch.Fragments.NamesCells = task.Lighting != nullptr;
   auto handOn = [&]
   {
+    scratch.Fragments.NameCells();
     if (task.Limits)
     {
       ClipFragments(task, tile, scratch.Fragments);
@@ -77,6 +81,19 @@ void CoverTile(
   handOn();
 }
 
+inline long long ShadeTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
+{
+  if (!task.Lighting)
+  {
+    return ShadeFragments(task, tile, scratch.Fragments, scratch.Remainders);
+  }
+  if (!scratch.LitRemainders)
+  {
+    scratch.LitRemainders = std::make_unique<TileLitRemainders>();
+  }
+  return TileLitShading::Shade(task, tile, scratch.Fragments, scratch.LitRemainders->Pieces);
+}
+
 inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
 {
   TileRepair& repair = scratch.Repair;
@@ -91,7 +108,7 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
   repair.Clear(scratch.Buffer);
   while (repair.Take(scratch.Fragments))
   {
-    ShadeFragments(task, tile, scratch.Fragments, scratch.Remainders);
+    ShadeTile(task, tile, scratch);
     CompositeFragments<false>(scratch.Fragments, task.Tolerance, scratch.Buffer);
   }
 }
@@ -120,7 +137,7 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
     {
       TileFragments& fragments = scratch.Fragments;
       scratch.Counts.Fragments += fragments.Count;
-      scratch.Counts.Pieces += ShadeFragments(task, tile, fragments, scratch.Remainders);
+      scratch.Counts.Pieces += ShadeTile(task, tile, scratch);
       CompositeFragments<true>(fragments, task.Tolerance, scratch.Buffer);
     });
   scratch.Counts.Cells += static_cast<long long>(scratch.Drawn.size());

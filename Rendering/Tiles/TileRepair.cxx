@@ -49,7 +49,7 @@ void TileRepair::Collect(const TileFragments& q)
     if (this->Marked[q.Pixel[i]])
     {
       this->Fragments.push_back({ q.Entry[i], q.Extent[i], q.ScalarIn[i], q.ScalarOut[i],
-        q.Pixel[i], 0.0f, static_cast<unsigned int>(this->Fragments.size()) });
+        q.Pixel[i], q.Cell[i], 0.0f, static_cast<unsigned int>(this->Fragments.size()) });
     }
   }
 }
@@ -98,6 +98,7 @@ bool TileRepair::Take(TileFragments& out)
     out.ScalarIn[at] = fragment.ScalarIn;
     out.ScalarOut[at] = fragment.ScalarOut;
     out.Pixel[at] = fragment.Pixel;
+    out.Cell[at] = fragment.Cell;
   }
   return out.Count > 0;
 }

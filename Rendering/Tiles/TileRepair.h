@@ -34,7 +34,7 @@ private:
   struct Fragment
   {
     float Entry, Extent, ScalarIn, ScalarOut;
-    int Pixel;
+    int Pixel, Cell;
     // How far its middle is, and when it came.
     float Depth;
     unsigned int Place;

@@ -7,10 +7,12 @@
 #include "TileBuffer.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
+#include "TileLitPieces.h"
 #include "TileOrder.h"
 #include "TileRepair.h"
 #include "TileTask.h"
 
+#include <memory>
 #include <vector>
 
 struct TileScratch
@@ -18,6 +20,8 @@ struct TileScratch
   TileGroup Group;
   TileFragments Fragments;
   TileRemainders Remainders[2];
+  /** Made by the first frame that needs them. */
+  std::unique_ptr<TileLitRemainders> LitRemainders;
   TileBuffer Buffer;
   TileOrder Order;
   TileRepair Repair;

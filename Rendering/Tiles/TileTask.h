@@ -6,7 +6,9 @@
 
 #include <array>
 
+class TileCellFields;
 class TileCells;
+class TileLighting;
 class TileLimits;
 class TileMesh;
 class TileTransfer;
@@ -22,6 +24,10 @@ struct TileTask
   const TileTransfer* Transfer = nullptr;
   /** Null where nothing cuts rays but the near and the far plane. */
   const TileLimits* Limits = nullptr;
+  /** Null where colours are the transfer function's alone; else with the fields that it needs. */
+  const TileLighting* Lighting = nullptr;
+  const TileCellFields* Gradients = nullptr;
+  const TileCellFields* Colors = nullptr;
   /** Pieces may overlap by this much of u without being called out of order. */
   float Tolerance = 0.0f;
   /** The greatest optical depth of a ray through the mesh, at most. */

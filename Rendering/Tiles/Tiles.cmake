@@ -1,9 +1,12 @@
 # The Tiles engines: added to the lists of the module.
 list(APPEND sources
   Rendering/Tiles/TileBins.cxx
+  Rendering/Tiles/TileCellFields.cxx
   Rendering/Tiles/TileCells.cxx
   Rendering/Tiles/TileExactCell.cxx
+  Rendering/Tiles/TileLighting.cxx
   Rendering/Tiles/TileLimits.cxx
+  Rendering/Tiles/TileLitShading.cxx
   Rendering/Tiles/TileMesh.cxx
   Rendering/Tiles/TileNeighbours.cxx
   Rendering/Tiles/TileOrder.cxx
@@ -18,14 +21,22 @@ list(APPEND sources
 list(APPEND private_headers
   Rendering/Tiles/TileBins.h
   Rendering/Tiles/TileBuffer.h
+  Rendering/Tiles/TileCellFields.h
   Rendering/Tiles/TileCells.h
   Rendering/Tiles/TileClipping-inl.h
   Rendering/Tiles/TileCompositing-inl.h
   Rendering/Tiles/TileCoverage-inl.h
   Rendering/Tiles/TileExactCell.h
   Rendering/Tiles/TileFragments.h
+  Rendering/Tiles/TileGradientOpacity-inl.h
   Rendering/Tiles/TileGroup.h
+  Rendering/Tiles/TileLight-inl.h
+  Rendering/Tiles/TileLighting.h
   Rendering/Tiles/TileLimits.h
+  Rendering/Tiles/TileLitPieces-inl.h
+  Rendering/Tiles/TileLitPieces.h
+  Rendering/Tiles/TileLitShader-inl.h
+  Rendering/Tiles/TileLitShading.h
   Rendering/Tiles/TileMath-inl.h
   Rendering/Tiles/TileMesh.h
   Rendering/Tiles/TileNeighbours.h
@@ -41,4 +52,5 @@ list(APPEND private_headers
   Rendering/Tiles/TileTransfer.h
   Rendering/Tiles/TileVertices.h
   Rendering/Tiles/TileView.h
+  Rendering/Tiles/TileWays-inl.h
   Rendering/Tiles/TilesEngine.h)

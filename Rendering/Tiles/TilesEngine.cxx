@@ -1,6 +1,7 @@
 #include "TilesEngine.h"
 
 #include "TileProjection.h"
+#include "VolumeShading.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -22,7 +23,28 @@ constexpr double DenseMedium = 300.0;
 void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<int>& corners)
 {
   this->Mesh.Build(points, corners);
+  this->Gradients.Clear();
+  this->Colors.Clear();
   this->IsTransformed = this->IsBinned = false;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetGradients(const std::vector<float>& gradients)
+{
+  this->Gradients.Build(this->Mesh, gradients, false);
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetColors(const std::vector<float>& colors, bool onePerCell)
+{
+  this->Colors.Build(this->Mesh, colors, onePerCell);
+}
+
+//------------------------------------------------------------------------------
+std::size_t TilesEngine::GetMeshMemory() const
+{
+  return this->Mesh.GetMemorySize() + this->Gradients.GetMemorySize() +
+         this->Colors.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -118,9 +140,23 @@ void TilesEngine::SetTask(const Scene& scene)
   this->Task.Tolerance =
     static_cast<float>(this->View.Extent * this->View.FarWeight * this->View.FarWeight *
                        std::max(std::min(OrderTolerance / depth, 1e-3), FloatResolution));
+  this->SetLighting(scene);
   this->Task.OpticalDepth = depth;
   this->Task.AllExact = depth > DenseMedium;
   this->Task.Image = this->Image.data();
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetLighting(const Scene& scene)
+{
+  const bool isNeeded = scene.Shading && scene.Shading->IsNeeded();
+  if (isNeeded)
+  {
+    this->Lighting.Build(*scene.Shading, this->View, scene.Camera);
+  }
+  this->Task.Lighting = isNeeded ? &this->Lighting : nullptr;
+  this->Task.Gradients = &this->Gradients;
+  this->Task.Colors = &this->Colors;
 }
 
 //------------------------------------------------------------------------------

@@ -11,7 +11,9 @@
 #define TilesEngine_h
 
 #include "TileBins.h"
+#include "TileCellFields.h"
 #include "TileCells.h"
+#include "TileLighting.h"
 #include "TileLimits.h"
 #include "TileMesh.h"
 #include "TileScratchPool.h"
@@ -28,6 +30,7 @@
 #include <vector>
 
 class TransferFunction;
+class VolumeShading;
 
 class TilesEngine
 {
@@ -36,6 +39,9 @@ public:
   {
     TileView::Camera Camera;
     const TransferFunction* Function = nullptr;
+    /** Light, gradient opacity and other components; null or not needed for none. Its gradients and
+     *  colours must have been set. */
+    const VolumeShading* Shading = nullptr;
     /** Window depths per pixel, or null; view coordinates. */
     const float* OpaqueDepth = nullptr;
     std::vector<glm::vec4> ClippingPlanes;
@@ -45,6 +51,9 @@ public:
 
   void SetMesh(const std::vector<float>& points, const std::vector<int>& corners);
   void SetScalars(const std::vector<float>& values, bool onePerCell);
+  /** 4 floats each, the last unused: one per point; one per point or cell. */
+  void SetGradients(const std::vector<float>& gradients);
+  void SetColors(const std::vector<float>& colors, bool onePerCell);
   /** 0 for cells that are not to be seen. */
   void SetDrawn(const std::vector<unsigned char>& drawn) { this->Mesh.SetDrawn(drawn); }
 
@@ -56,12 +65,13 @@ public:
   const TileCounts& GetCounts() const { return this->Counts; }
   const TileMesh& GetMesh() const { return this->Mesh; }
   /** Bytes that last from frame to frame, and what a frame needs beside them. */
-  std::size_t GetMeshMemory() const { return this->Mesh.GetMemorySize(); }
+  std::size_t GetMeshMemory() const;
 
 private:
   bool Transform(const Scene& scene);
   void Bin(const Scene& scene);
   void SetTask(const Scene& scene);
+  void SetLighting(const Scene& scene);
   void Project();
   void DrawTile(int tile, TileScratch& scratch);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
@@ -73,6 +83,8 @@ private:
   TileBins Bins;
   TileTransfer Transfer;
   TileLimits Limits;
+  TileLighting Lighting;
+  TileCellFields Gradients, Colors;
   TileScratchPool Scratch;
   TileTask Task;
   TileCounts Counts;

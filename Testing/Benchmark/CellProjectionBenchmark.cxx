@@ -83,11 +83,20 @@ struct Contender
   std::string Name;
   std::function<MapperPointer()> Make;
   Capture Captures;
+  bool IsLit = false;
+
+  std::unique_ptr<BenchmarkScene> Show(vtkUnstructuredGrid* grid, int size, bool spiky) const
+  {
+    auto scene = std::make_unique<BenchmarkScene>(this->Make(), grid, size, spiky);
+    scene->Volume->GetProperty()->SetShade(this->IsLit);
+    return scene;
+  }
 };
 
 std::vector<Contender> Contenders()
 {
-  return { { "ours, Tiles", [] { return MakeOurs(vtkConvexCellMapper::TILES); }, CaptureOurs },
+  const auto tiles = [] { return MakeOurs(vtkConvexCellMapper::TILES); };
+  return { { "ours, Tiles", tiles, CaptureOurs }, { "ours, Tiles, lit", tiles, CaptureOurs, true },
     { "ours, Raster", [] { return MakeOurs(vtkConvexCellMapper::RASTER); }, CaptureOurs },
     { "VTK projected tetrahedra",
       [] { return vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(); }, CaptureWindow } };
@@ -96,12 +105,12 @@ std::vector<Contender> Contenders()
 void MeasureError(const Contender& contender, vtkUnstructuredGrid* grid, bool spiky,
   vtkCellProjectionOracle* oracle, Row& row)
 {
-  const MapperPointer mapper = contender.Make();
-  if (auto* ours = vtkConvexCellMapper::SafeDownCast(mapper))
+  const std::unique_ptr<BenchmarkScene> shown = contender.Show(grid, ErrorSize, spiky);
+  BenchmarkScene& scene = *shown;
+  if (auto* ours = vtkConvexCellMapper::SafeDownCast(scene.Volume->GetMapper()))
   {
     ours->CaptureImageOn();
   }
-  BenchmarkScene scene(mapper, grid, ErrorSize, spiky);
   // Of the first frame of VTK's projected tetrahedra a part is missing.
   scene.TimeFrame(0);
   scene.TimeFrame(0);
@@ -127,10 +136,9 @@ void MeasureSpeed(const std::vector<Contender>& contenders, vtkUnstructuredGrid*
   std::vector<std::unique_ptr<BenchmarkScene>> scenes;
   for (size_t i = 0; i < contenders.size(); ++i)
   {
-    const MapperPointer mapper = contenders[i].Make();
-    scenes.push_back(std::make_unique<BenchmarkScene>(mapper, grid, ImageSize, spiky));
+    scenes.push_back(contenders[i].Show(grid, ImageSize, spiky));
     rows[i].First = scenes.back()->TimeFrame(0);
-    if (auto* ours = vtkConvexCellMapper::SafeDownCast(mapper))
+    if (auto* ours = vtkConvexCellMapper::SafeDownCast(scenes.back()->Volume->GetMapper()))
     {
       rows[i].Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
     }
@@ -162,13 +170,13 @@ void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
   const std::vector<Contender> contenders = Contenders();
   std::vector<Row> rows(contenders.size());
   MeasureSpeed(contenders, mesh.Grid, spiky, frames, rows);
-  vtkNew<vtkCellProjectionOracle> oracle;
+  vtkNew<vtkCellProjectionOracle> unlit, lit;
   std::printf("%-28s %9s %9s %9s %8s %7s %9s %9s %9s %7s\n", "mapper", "median ms", "first ms",
     "prepare", "Mtets/s", "ratio", "RMSE", "99.9 %", "maximum", "% > .5");
   for (size_t i = 0; i < contenders.size(); ++i)
   {
     rows[i].Name = contenders[i].Name;
-    MeasureError(contenders[i], mesh.Grid, spiky, oracle, rows[i]);
+    MeasureError(contenders[i], mesh.Grid, spiky, contenders[i].IsLit ? lit : unlit, rows[i]);
     Print(rows[i], Median(rows.back().Seconds), cells);
   }
 }

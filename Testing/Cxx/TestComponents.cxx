@@ -169,6 +169,8 @@ void CheckOracle(TestChecks& checks, bool lit)
 void CheckTable(TestChecks& checks)
 {
   ComponentScene scene;
+  // Tables are Raster's.
+  scene.Mapper->SetEngineToRaster();
   scene.SetRamp();
   vtkNew<vtkDoubleArray> colors;
   scene.SetComponents(colors, 4, [](double s, int i) { return i < 3 ? Color(s, i) : s; });

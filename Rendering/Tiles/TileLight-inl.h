@@ -1,0 +1,299 @@
+/**
+ * Light along the ways of rays through their cells: Phong's model, two-sided (class TileLighting).
+ *
+ * The gradient g is linear along the way, hence |g|^2 is quadratic and its product with a fixed
+ * direction linear: what they are made of is found once per piece.
+ */
+#if defined(TileLight_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileLight_inl_h
+#undef TileLight_inl_h
+#else
+#define TileLight_inl_h
+#endif
+
+#include "TileLighting.h"
+#include "TileLitPieces-inl.h"
+#include "TileWays-inl.h"
+
+#include <hwy/contrib/math/math-inl.h>
+#include <hwy/highway.h>
+
+#include <cmath>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// base ^ power for a base of at least 0; whole powers, the usual ones, by squaring.
+HWY_INLINE ShadeVector Power(ShadeVector base, float power)
+{
+  const ShadeFloat d;
+  if (power == std::floor(power) && power >= 0.0f && power <= 1024.0f)
+  {
+    auto product = hn::Set(d, 1.0f);
+    for (int left = static_cast<int>(power); left != 0; left >>= 1)
+    {
+      product = left & 1 ? hn::Mul(product, base) : product;
+      base = hn::Mul(base, base);
+    }
+    return product;
+  }
+  const auto some = hn::Lt(hn::Set(d, 1e-30f), base);
+  const auto logarithm = hn::Log(d, hn::Max(base, hn::Set(d, 1e-30f)));
+  return hn::IfThenElseZero(some, hn::Exp(d, hn::Mul(hn::Set(d, power), logarithm)));
+}
+
+/// What a light's way makes of a piece: a + b share each.
+struct LitSide
+{
+  ShadeVector Way[3];
+  /// Of gradient and way; of the way and that to the eye.
+  ShadeVector Side, SideRise, Seen;
+};
+
+/// How light changes along a piece.
+struct LitCourse
+{
+  /// |g|^2 = Squares[0] + 2 Squares[1] share + Squares[2] share^2.
+  ShadeVector Squares[3];
+  ShadeVector ToEye[3], Seen, SeenRise;
+  /// Where the piece begins, and where its ray goes.
+  ShadeVector Point[3], Way[3];
+  LitSide Sides[TileLighting::MaximumLights];
+};
+
+struct LitColors
+{
+  ShadeVector Factor[3];
+  ShadeVector Highlight[3];
+};
+
+class TileLightSource
+{
+public:
+  TileLightSource(const TileLighting& lighting, const TileView& view, const TileRectangle& tile)
+    : Lighting(lighting)
+    , Rays(view, lighting.ScreenToView, tile)
+  {
+    for (const TileLight& light : lighting.Lights)
+    {
+      this->HasPosition = this->HasPosition || light.IsPositional;
+    }
+  }
+
+  HWY_INLINE void Begin(const LitPieces& p, LitCourse& c) const
+  {
+    c.Squares[0] = Dot(p.Gradient, p.Gradient);
+    c.Squares[1] = Dot(p.Gradient, p.GradientRise);
+    c.Squares[2] = Dot(p.GradientRise, p.GradientRise);
+    ShadeVector toEye[3];
+    this->Rays.FindToEye(p.Pixel, toEye);
+    const auto inverse = InverseRoot(Dot(toEye, toEye));
+    for (int k = 0; k < 3; ++k)
+    {
+      c.ToEye[k] = hn::Mul(toEye[k], inverse);
+    }
+    c.Seen = Dot(p.Gradient, c.ToEye);
+    c.SeenRise = Dot(p.GradientRise, c.ToEye);
+    if (this->HasPosition)
+    {
+      this->Rays.FindOrigin(p.Pixel, c.Point);
+      for (int k = 0; k < 3; ++k)
+      {
+        c.Point[k] = hn::NegMulAdd(p.Depth, toEye[k], c.Point[k]);
+        c.Way[k] = hn::Neg(hn::Mul(p.DepthRise, toEye[k]));
+      }
+    }
+    for (std::size_t i = 0; i < this->Lighting.Lights.size(); ++i)
+    {
+      this->BeginLight(this->Lighting.Lights[i], p, c, c.Sides[i]);
+    }
+  }
+
+  /// The end of a piece up to which light is smooth enough for two Gauss nodes; `end` at most.
+  HWY_INLINE ShadeVector FindBend(const LitCourse& c, ShadeVector end) const
+  {
+    auto bend = this->FindTurn(c, end);
+    for (std::size_t i = 0; i < this->Lighting.Lights.size(); ++i)
+    {
+      // From one side of the gradient to the other.
+      const LitSide& s = c.Sides[i];
+      const auto last = hn::MulAdd(end, s.SideRise, s.Side);
+      const auto changes = hn::Lt(hn::Mul(s.Side, last), hn::Zero(ShadeFloat()));
+      if (!hn::AllFalse(ShadeFloat(), changes))
+      {
+        const auto share = hn::Div(hn::Neg(s.Side), s.SideRise);
+        bend = hn::IfThenElse(changes, Sooner(bend, share), bend);
+      }
+      bend = this->Lighting.HasGlance ? FindGlance(c, s, bend) : bend;
+    }
+    return bend;
+  }
+
+  HWY_INLINE void Shine(
+    const LitPieces& p, const LitCourse& c, ShadeVector share, LitColors& out) const
+  {
+    const ShadeFloat d;
+    const auto linear = hn::MulAdd(share, c.Squares[2], hn::Add(c.Squares[1], c.Squares[1]));
+    const auto inverse = InverseRoot(hn::MulAdd(share, linear, c.Squares[0]));
+    const auto seen = hn::Mul(hn::MulAdd(share, c.SeenRise, c.Seen), inverse);
+    for (int k = 0; k < 3; ++k)
+    {
+      out.Factor[k] = hn::Set(d, this->Lighting.Ambient[k]);
+      out.Highlight[k] = hn::Zero(d);
+    }
+    for (std::size_t i = 0; i < this->Lighting.Lights.size(); ++i)
+    {
+      const TileLight& light = this->Lighting.Lights[i];
+      const LitSide& s = c.Sides[i];
+      if (light.IsPositional)
+      {
+        this->AddPosition(light, p, c, share, inverse, seen, out);
+        continue;
+      }
+      const auto cosine = hn::Mul(hn::MulAdd(share, s.SideRise, s.Side), inverse);
+      this->AddLight(light, cosine, seen, s.Seen, hn::Set(d, 1.0f), out);
+    }
+  }
+
+private:
+  HWY_INLINE void BeginLight(
+    const TileLight& light, const LitPieces& p, const LitCourse& c, LitSide& s) const
+  {
+    const ShadeFloat d;
+    for (int k = 0; k < 3; ++k)
+    {
+      s.Way[k] = hn::Set(d, light.Place[k]);
+    }
+    if (light.IsPositional)
+    {
+      for (int k = 0; k < 3; ++k)
+      {
+        s.Way[k] = hn::Sub(s.Way[k], hn::MulAdd(hn::Set(d, 0.5f), c.Way[k], c.Point[k]));
+      }
+      const auto inverse = InverseRoot(Dot(s.Way, s.Way));
+      for (auto& component : s.Way)
+      {
+        component = hn::Mul(component, inverse);
+      }
+    }
+    s.Side = Dot(p.Gradient, s.Way);
+    s.SideRise = Dot(p.GradientRise, s.Way);
+    s.Seen = Dot(c.ToEye, s.Way);
+  }
+
+  /// Where the gradient has turned by the greatest angle: it moves along a line that passes zero at
+  /// a distance.
+  HWY_INLINE ShadeVector FindTurn(const LitCourse& c, ShadeVector end) const
+  {
+    const ShadeFloat d;
+    const auto greatest = hn::Set(d, this->Lighting.GreatestTurn);
+    const auto ahead = hn::MulAdd(end, c.Squares[1], c.Squares[0]);
+    const auto room = hn::Mul(greatest, ahead);
+    const auto crossed =
+      hn::MulSub(c.Squares[0], c.Squares[2], hn::Mul(c.Squares[1], c.Squares[1]));
+    const auto sideways = hn::Mul(hn::Mul(end, end), crossed);
+    const auto small = hn::Le(sideways, hn::Mul(room, room));
+    const auto straight = hn::And(hn::Lt(hn::Zero(d), ahead), small);
+    const auto turns = hn::AndNot(straight, hn::Lt(hn::Zero(d), c.Squares[2]));
+    if (hn::AllFalse(d, turns))
+    {
+      return end;
+    }
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), c.Squares[2]);
+    const auto from = hn::Mul(c.Squares[1], inverse);
+    const auto radius = hn::Mul(hn::Sqrt(hn::Max(crossed, hn::Zero(d))), inverse);
+    const auto left = hn::NegMulAdd(from, greatest, radius);
+    const auto reached = hn::Mul(radius, hn::MulAdd(radius, greatest, from));
+    auto share = hn::Sub(hn::Div(reached, left), from);
+    share = hn::IfThenElse(hn::Lt(hn::Zero(d), left), hn::Max(share, hn::Set(d, 1e-4f)), end);
+    return hn::IfThenElse(turns, hn::Min(share, end), end);
+  }
+
+  /// Where the mirror image of a light passes from behind the eye before it.
+  static HWY_INLINE ShadeVector FindGlance(const LitCourse& c, const LitSide& s, ShadeVector end)
+  {
+    const ShadeFloat d;
+    const auto two = hn::Set(d, 2.0f);
+    const auto constant =
+      hn::MulSub(hn::Mul(two, s.Side), c.Seen, hn::Mul(s.Seen, c.Squares[0]));
+    const auto product = hn::MulAdd(s.Side, c.SeenRise, hn::Mul(s.SideRise, c.Seen));
+    const auto half = hn::NegMulAdd(s.Seen, c.Squares[1], product);
+    const auto square =
+      hn::MulSub(hn::Mul(two, s.SideRise), c.SeenRise, hn::Mul(s.Seen, c.Squares[2]));
+    const auto inner = hn::MulSub(half, half, hn::Mul(constant, square));
+    const auto some = hn::Le(hn::Zero(d), inner);
+    const auto root = hn::CopySign(hn::Sqrt(hn::Max(inner, hn::Zero(d))), half);
+    const auto q = hn::Neg(hn::Add(half, root));
+    end = hn::IfThenElse(some, Sooner(end, hn::Div(q, square)), end);
+    return hn::IfThenElse(some, Sooner(end, hn::Div(constant, q)), end);
+  }
+
+  HWY_INLINE void AddPosition(const TileLight& light, const LitPieces& p, const LitCourse& c,
+    ShadeVector share, ShadeVector inverse, ShadeVector seen, LitColors& out) const
+  {
+    const ShadeFloat d;
+    ShadeVector way[3], gradient[3];
+    for (int k = 0; k < 3; ++k)
+    {
+      way[k] = hn::Sub(hn::Set(d, light.Place[k]), hn::MulAdd(share, c.Way[k], c.Point[k]));
+      gradient[k] = hn::MulAdd(share, p.GradientRise[k], p.Gradient[k]);
+    }
+    const auto squared = Dot(way, way);
+    const auto near = InverseRoot(squared);
+    const auto cosine = hn::Mul(hn::Mul(Dot(gradient, way), near), inverse);
+    const auto mirrored = hn::Mul(Dot(c.ToEye, way), near);
+    const auto far = hn::Mul(squared, near);
+    const auto faded = hn::MulAdd(hn::Set(d, light.Attenuation[2]), squared,
+      hn::MulAdd(hn::Set(d, light.Attenuation[1]), far, hn::Set(d, light.Attenuation[0])));
+    auto arriving = hn::Div(hn::Set(d, 1.0f), faded);
+    if (light.HasCone)
+    {
+      const auto axis = hn::Neg(hn::Mul(Dot(way, light.Axis), near));
+      const auto inside = hn::Le(hn::Set(d, light.ConeCosine), axis);
+      const auto fall = Power(hn::Max(axis, hn::Zero(d)), light.Exponent);
+      arriving = hn::IfThenElseZero(inside, hn::Mul(arriving, fall));
+    }
+    for (int k = 0; k < 3; ++k)
+    {
+      out.Factor[k] = hn::MulAdd(arriving, hn::Set(d, light.Ambient[k]), out.Factor[k]);
+    }
+    this->AddLight(light, cosine, seen, mirrored, arriving, out);
+  }
+
+  /// `seen`, `toLight`: cosines of the angles to the eye of the gradient and of the light.
+  HWY_INLINE void AddLight(const TileLight& light, ShadeVector cosine, ShadeVector seen,
+    ShadeVector toLight, ShadeVector arriving, LitColors& out) const
+  {
+    const ShadeFloat d;
+    const auto diffuse = hn::Mul(arriving, hn::Abs(cosine));
+    for (int k = 0; k < 3; ++k)
+    {
+      out.Factor[k] = hn::MulAdd(diffuse, hn::Set(d, light.Diffuse[k]), out.Factor[k]);
+    }
+    if (this->Lighting.HasHighlight)
+    {
+      const auto mirrored = hn::MulSub(hn::Add(cosine, cosine), seen, toLight);
+      // Without a gradient nothing is mirrored.
+      const auto some = hn::AndNot(hn::Eq(cosine, hn::Zero(d)), hn::Lt(hn::Zero(d), mirrored));
+      const auto shine = Power(hn::IfThenElseZero(some, mirrored), this->Lighting.Power);
+      const auto arrives = hn::IfThenElseZero(some, hn::Mul(arriving, shine));
+      for (int k = 0; k < 3; ++k)
+      {
+        out.Highlight[k] = hn::MulAdd(arrives, hn::Set(d, light.Specular[k]), out.Highlight[k]);
+      }
+    }
+  }
+
+  const TileLighting& Lighting;
+  const TileRays Rays;
+  bool HasPosition = false;
+};
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,114 @@
+/**
+ * The queue of lit pieces, a full vector at a time.
+ */
+#if defined(TileLitPieces_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileLitPieces_inl_h
+#undef TileLitPieces_inl_h
+#else
+#define TileLitPieces_inl_h
+#endif
+
+#include "TileLitPieces.h"
+#include "TileShading-inl.h"
+
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Pieces about to be shaded, one per lane; see TileLitPieces.
+struct LitPieces
+{
+  ShadeVector First, Last, Length, Through, Depth, DepthRise;
+  ShadeVector Gradient[3], GradientRise[3];
+  ShadeVector Color[3], ColorRise[3];
+  ShadeIndex Piece, Fragment, Pixel;
+};
+
+/// What a piece emits and hides, from its beginning to the share End of what is left.
+struct LitPart
+{
+  ShadeVector End, LastScalar, Length;
+  ShadeVector Front, Back; // extinction
+  ShadeVector Depth;
+  hn::Mask<ShadeFloat> AtNode, Open;
+};
+
+HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, bool hasColors, LitPieces& p)
+{
+  const ShadeFloat d;
+  const ShadeInt di;
+  p.First = hn::Load(d, from.First + at);
+  p.Last = hn::Load(d, from.Last + at);
+  p.Length = hn::Load(d, from.Length + at);
+  p.Through = hn::Load(d, from.Through + at);
+  p.Depth = hn::Load(d, from.Depth + at);
+  p.DepthRise = hn::Load(d, from.DepthRise + at);
+  for (int k = 0; k < 3; ++k)
+  {
+    p.Gradient[k] = hn::Load(d, from.Gradient[k] + at);
+    p.GradientRise[k] = hn::Load(d, from.GradientRise[k] + at);
+    if (hasColors)
+    {
+      p.Color[k] = hn::Load(d, from.Color[k] + at);
+      p.ColorRise[k] = hn::Load(d, from.ColorRise[k] + at);
+    }
+  }
+  // Beyond the count there is what was there before.
+  const auto used = hn::FirstN(di, static_cast<std::size_t>(from.Count - at));
+  p.Piece = hn::IfThenElseZero(used, hn::Load(di, from.Piece + at));
+  p.Fragment = hn::Load(di, from.Fragment + at);
+  p.Pixel = hn::Load(di, from.Pixel + at);
+}
+
+/// What is linear along a piece, from its share `end` on.
+HWY_INLINE void AppendLinear(ShadeMask which, ShadeVector value, ShadeVector rise,
+  ShadeVector end, float* values, float* rises)
+{
+  const ShadeFloat d;
+  hn::StoreU(hn::Compress(hn::MulAdd(end, rise, value), which), d, values);
+  hn::StoreU(hn::Compress(hn::NegMulAdd(end, rise, rise), which), d, rises);
+}
+
+/// Appends what is left behind a part.
+HWY_INLINE void AppendPieces(ShadeMask which, const LitPieces& p, const LitPart& part,
+  ShadeVector through, bool hasColors, TileLitPieces& rest)
+{
+  const ShadeFloat d;
+  const ShadeInt di;
+  const int at = rest.Count;
+  // Past a node the next piece begins, above or below.
+  const auto rising = hn::RebindMask(di, hn::Lt(p.First, p.Last));
+  const auto step = hn::IfThenElse(rising, hn::Set(di, 1), hn::Set(di, -1));
+  const auto piece =
+    hn::Add(p.Piece, hn::IfThenElseZero(hn::RebindMask(di, part.AtNode), step));
+  hn::StoreU(hn::Compress(part.LastScalar, which), d, rest.First + at);
+  hn::StoreU(hn::Compress(p.Last, which), d, rest.Last + at);
+  hn::StoreU(hn::Compress(hn::Sub(p.Length, part.Length), which), d, rest.Length + at);
+  hn::StoreU(hn::Compress(through, which), d, rest.Through + at);
+  AppendLinear(which, p.Depth, p.DepthRise, part.End, rest.Depth + at, rest.DepthRise + at);
+  for (int k = 0; k < 3; ++k)
+  {
+    AppendLinear(which, p.Gradient[k], p.GradientRise[k], part.End, rest.Gradient[k] + at,
+      rest.GradientRise[k] + at);
+    if (hasColors)
+    {
+      AppendLinear(
+        which, p.Color[k], p.ColorRise[k], part.End, rest.Color[k] + at, rest.ColorRise[k] + at);
+    }
+  }
+  const auto whichInt = hn::RebindMask(di, which);
+  hn::StoreU(hn::Compress(piece, whichInt), di, rest.Piece + at);
+  hn::StoreU(hn::Compress(p.Fragment, whichInt), di, rest.Fragment + at);
+  hn::StoreU(hn::Compress(p.Pixel, whichInt), di, rest.Pixel + at);
+  rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif

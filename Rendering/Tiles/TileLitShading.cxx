@@ -1,0 +1,49 @@
+// Compiled once for each instruction set that the machine may have.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "TileLitShading.cxx"
+#include <hwy/foreach_target.h>
+
+#include <hwy/highway.h>
+
+#include "TileLitShading.h"
+
+#include "TileLitShader-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+// NOLINTNEXTLINE: Highway's dispatch table names it.
+long long ShadeLit(const TileTask& task, const TileRectangle& tile, TileFragments& fragments,
+  TileLitPieces (&remainders)[2])
+{
+  const TileLighting& lighting = *task.Lighting;
+  if (!lighting.IsLit || lighting.HasOpacity || lighting.ColorKind != TileLighting::OwnColor)
+  {
+    return TileLitShader<MemoryLookUp, true>(task, tile).Shade(fragments, remainders);
+  }
+  // One bound more than pieces is looked up.
+  if (task.Transfer->NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat())))
+  {
+    return TileLitShader<RegisterLookUp, false>(task, tile).Shade(fragments, remainders);
+  }
+  return TileLitShader<MemoryLookUp, false>(task, tile).Shade(fragments, remainders);
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace CellProjectionTiles
+{
+HWY_EXPORT(ShadeLit);
+}
+
+//------------------------------------------------------------------------------
+long long TileLitShading::Shade(const TileTask& task, const TileRectangle& tile,
+  TileFragments& fragments, TileLitPieces (&remainders)[2])
+{
+  return HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ShadeLit)(task, tile, fragments, remainders);
+}
+#endif

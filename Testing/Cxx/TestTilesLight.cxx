@@ -1,0 +1,143 @@
+// Light, gradient opacity and dependent components by both engines: the same image within the
+// bounds of both; by Tiles the same bytes for any number of threads, repaired pixels included.
+
+#include "TestMeshes.h"
+#include "TestScene.h"
+
+#include "vtkCellCenterDepthSort.h"
+#include "vtkDoubleArray.h"
+#include "vtkLight.h"
+#include "vtkPlane.h"
+#include "vtkPointData.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
+
+namespace
+{
+class BothEngines : public TestScene
+{
+public:
+  vtkSmartPointer<vtkUnstructuredGrid> Grid = TestMeshes::Delaunay(100);
+
+  BothEngines()
+    : TestScene(80, 70)
+  {
+    TestMeshes::SetField(this->Grid, TestMeshes::Waves);
+    this->SetGrid(this->Grid);
+    this->SetSpiky();
+    this->Property->ShadeOn();
+    this->Property->SetSpecular(0.3);
+    vtkNew<vtkLight> light;
+    light->SetLightTypeToSceneLight();
+    light->SetPosition(0.4, 0.9, 0.7);
+    light->PositionalOn();
+    light->SetAttenuationValues(0.2, 0.5, 1.5);
+    light->SetConeAngle(60.0);
+    light->SetExponent(2.5);
+    this->Renderer->AddLight(light);
+  }
+
+  void SetGradientOpacity()
+  {
+    vtkNew<vtkPiecewiseFunction> function;
+    function->AddPoint(0.3, 0.1);
+    function->AddPoint(1.2, 1.0);
+    this->Property->SetGradientOpacity(function);
+  }
+
+  void SetTwoComponents()
+  {
+    vtkSmartPointer<vtkDataArray> scalars = this->Grid->GetPointData()->GetScalars();
+    vtkNew<vtkDoubleArray> pairs;
+    pairs->SetName("pairs");
+    pairs->SetNumberOfComponents(2);
+    for (vtkIdType id = 0; id < scalars->GetNumberOfTuples(); ++id)
+    {
+      const double value = scalars->GetComponent(id, 0);
+      pairs->InsertNextTuple2(1.0 - value * value, value);
+    }
+    this->Grid->GetPointData()->SetScalars(pairs);
+    this->Property->IndependentComponentsOff();
+  }
+
+  double DifferenceOfEngines()
+  {
+    this->Mapper->SetEngineToRaster();
+    this->Render();
+    auto raster = this->CopyCaptured();
+    this->DrawTiles();
+    return Difference(raster, this->Mapper->GetCapturedImage());
+  }
+
+  vtkSmartPointer<vtkImageData> DrawTiles(int threads = 0)
+  {
+    this->Mapper->SetEngineToTiles();
+    vtkSMPTools::Initialize(threads);
+    this->Render();
+    vtkSMPTools::Initialize();
+    return this->CopyCaptured();
+  }
+
+  vtkVariant GetStatistic(const char* column)
+  {
+    return this->Mapper->GetLastStatistics()->GetValueByName(0, column);
+  }
+};
+
+void CheckEngines(
+  TestChecks& checks, BothEngines& scene, const char* name, double bound = 1e-3)
+{
+  const double views[3][3] = { { 0.5, 0.8, 2.2 }, { 0.1, -0.05, 0.2 }, { -2.0, 0.0, 0.0 } };
+  for (const auto& view : views)
+  {
+    scene.LookFrom(view[0], view[1], view[2]);
+    const double difference = scene.DifferenceOfEngines();
+    CHECK(scene.GetStatistic("Engine") == "Tiles");
+    const bool good = difference >= 0.0 && difference <= bound;
+    checks.Check(good, name, __LINE__, std::to_string(difference));
+    std::cout << name << ": " << difference << "\n";
+    auto two = scene.CopyCaptured();
+    CHECK(TestScene::Difference(two, scene.DrawTiles(1)) == 0.0);
+  }
+}
+
+// Cut by a plane, with opaque media and pixels that are repaired, in both projections.
+void CheckSpecialCases(TestChecks& checks)
+{
+  BothEngines scene;
+  vtkNew<vtkPlane> plane;
+  plane->SetNormal(0.3, 0.2, -1.0);
+  plane->SetOrigin(0.0, 0.0, 0.1);
+  scene.Mapper->AddClippingPlane(plane);
+  CheckEngines(checks, scene, "clipped");
+  // Any order comes out right.
+  auto inOrder = scene.CopyCaptured();
+  vtkNew<vtkCellCenterDepthSort> sort;
+  scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
+  CHECK_AT_MOST(TestScene::Difference(inOrder, scene.DrawTiles()), 1e-4);
+  CHECK(scene.GetStatistic("RepairedPixels").ToInt() > 0);
+  scene.GetTetrahedraMapper()->SetVisibilitySort(nullptr);
+  scene.Property->SetScalarOpacityUnitDistance(0.02);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  scene.Renderer->GetActiveCamera()->SetParallelScale(0.9);
+  CheckEngines(checks, scene, "opaque, parallel");
+}
+}
+
+int TestTilesLight(int, char*[])
+{
+  TestChecks checks;
+  BothEngines scene;
+  CheckEngines(checks, scene, "lit");
+  scene.SetGradientOpacity();
+  CheckEngines(checks, scene, "lit, gradient opacity");
+  scene.SetTwoComponents();
+  CheckEngines(checks, scene, "lit, gradient opacity, two components");
+  scene.Property->DisableGradientOpacityOn();
+  CheckEngines(checks, scene, "lit, two components");
+  scene.Property->ShadeOff();
+  CheckEngines(checks, scene, "two components", 1e-4);
+  CheckSpecialCases(checks);
+  return checks.Result();
+}
