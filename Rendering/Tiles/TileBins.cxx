@@ -18,6 +18,12 @@ void TileBins::VisitShare(const std::vector<std::uint32_t>& boxes, const std::ve
   {
     const int cell = order ? (*order)[i] : static_cast<int>(i);
     const std::uint32_t box = boxes[cell];
+    // Most cells touch one tile.
+    if (((box ^ box >> 8) & 0x00ff00ffu) == 0)
+    {
+      visit(static_cast<int>(box >> 24) * this->TilesX + static_cast<int>(box & 255), cell);
+      continue;
+    }
     for (std::uint32_t y = box >> 16 & 255; y <= box >> 24; ++y)
     {
       for (std::uint32_t x = box & 255; x <= (box >> 8 & 255); ++x)

@@ -22,6 +22,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -53,6 +54,13 @@ public:
         shape.Pixel[k] = k / width * TileSize::Pixels + k % width;
       }
     }
+    for (int width = 0; width <= TileSize::Pixels; ++width)
+    {
+      for (int height = 0; height <= TileSize::Pixels; ++height)
+      {
+        this->Best[width][height] = static_cast<unsigned char>(this->Find(width, height));
+      }
+    }
   }
 
   struct Shape
@@ -66,6 +74,12 @@ public:
   /// The one that covers a box with the fewest blocks.
   const Shape& Choose(int width, int height) const
   {
+    return this->Shapes[this->Best[width][height]];
+  }
+
+private:
+  int Find(int width, int height) const
+  {
     int best = 0, fewest = 1 << 30;
     for (int i = 0; i < this->Count; ++i)
     {
@@ -76,11 +90,11 @@ public:
       best = blocks < fewest ? i : best;
       fewest = std::min(blocks, fewest);
     }
-    return this->Shapes[best];
+    return best;
   }
 
-private:
   Shape Shapes[5];
+  unsigned char Best[TileSize::Pixels + 1][TileSize::Pixels + 1];
   int Count = 0;
 };
 
@@ -180,16 +194,19 @@ void CoverCell(
   }
 }
 
-/// Entry and exit of a row's pixels in double, from `x` on.
-inline void CoverExactLanes(const TileExactCell& cell, const TileView& view, double x, double y,
-  double* entries, double* exits)
+using ExactFloat = hn::CappedTag<double, 8>;
+using ExactVector = hn::Vec<ExactFloat>;
+
+/// Entry and exit of pixels in a row in double, and the mask of those that are covered.
+inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const TileView& view,
+  ExactVector x, double y, ExactVector& entry, ExactVector& exit)
 {
-  const hn::CappedTag<double, 8> d;
-  const auto xs = hn::Add(hn::Set(d, x), hn::Iota(d, 0.0));
-  auto entry = hn::Set(d, view.NearU), exit = hn::Set(d, view.FarU);
+  const ExactFloat d;
+  entry = hn::Set(d, view.NearU);
+  exit = hn::Set(d, view.FarU);
   for (const TileExactCell::Plane& plane : cell.Planes)
   {
-    auto value = hn::MulAdd(hn::Set(d, plane.A), xs, hn::Set(d, plane.B * y + plane.E));
+    auto value = hn::MulAdd(hn::Set(d, plane.A), x, hn::Set(d, plane.B * y + plane.E));
     const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
     // A plane that is not seen edge-on has no tolerance, and passes at u = 0 where its value is 0.
     const auto nudged = hn::Set(d, plane.Tolerance > 0.0 ? plane.Nudge : 0.0);
@@ -197,20 +214,32 @@ inline void CoverExactLanes(const TileExactCell& cell, const TileView& view, dou
     entry = plane.IsEntry ? hn::Min(entry, value) : entry;
     exit = plane.IsEntry ? exit : hn::Max(exit, value);
   }
-  hn::StoreU(entry, d, entries);
-  hn::StoreU(exit, d, exits);
+  return hn::Lt(exit, entry);
 }
 
-inline void AppendExact(const TileExactCell& cell, double x, double y, double entry, double exit,
-  int pixel, TileFragments& out)
+/// Appends the lanes of `covered`; `pixel` is that of the first lane.
+inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered, ExactVector x,
+  double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
 {
-  const double scalar = cell.ScalarA * x + cell.ScalarB * y + cell.ScalarE;
-  const int at = out.Count++;
-  out.Entry[at] = static_cast<float>(entry);
-  out.Extent[at] = static_cast<float>(entry - exit);
-  out.ScalarIn[at] = static_cast<float>(scalar + cell.ScalarC * entry);
-  out.ScalarOut[at] = static_cast<float>(scalar + cell.ScalarC * exit);
-  out.Pixel[at] = pixel;
+  const ExactFloat d;
+  const hn::Rebind<float, ExactFloat> df;
+  const hn::Rebind<std::int32_t, ExactFloat> di;
+  const auto perU = hn::Set(d, cell.ScalarC);
+  const auto scalar = hn::MulAdd(
+    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
+  const int at = out.Count;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, covered, bits);
+  const auto kept = hn::LoadMaskBits(df, bits);
+  auto store = [&](ExactVector value, float* to)
+  { hn::StoreU(hn::Compress(hn::DemoteTo(df, value), kept), df, to + at); };
+  store(entry, out.Entry);
+  store(hn::Sub(entry, exit), out.Extent);
+  store(hn::MulAdd(perU, entry, scalar), out.ScalarIn);
+  store(hn::MulAdd(perU, exit, scalar), out.ScalarOut);
+  const auto pixels = hn::Compress(hn::Iota(di, pixel), hn::RebindMask(di, kept));
+  hn::StoreU(pixels, di, out.Pixel + at);
+  out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
 /// A cell in double: see class TileExactCell.
@@ -218,22 +247,23 @@ inline void CoverExactCell(
   const TileTask& task, const TileRectangle& tile, int id, TileFragments& out)
 {
   const TileExactCell cell(*task.Mesh, *task.View, id);
-  const int lanes = static_cast<int>(hn::Lanes(hn::CappedTag<double, 8>()));
+  const ExactFloat d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
   const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
   const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
-  double entries[8], exits[8];
   for (int y = firstY; y <= lastY; ++y)
   {
-    for (int x = firstX; x <= lastX; x += lanes)
+    for (int left = firstX; left <= lastX; left += lanes)
     {
-      CoverExactLanes(cell, *task.View, x, y, entries, exits);
-      for (int k = 0; k < std::min(lanes, lastX - x + 1); ++k)
+      const auto x = hn::Add(hn::Set(d, static_cast<double>(left)), hn::Iota(d, 0.0));
+      ExactVector entry, exit;
+      const auto inRow = hn::FirstN(d, static_cast<std::size_t>(lastX - left + 1));
+      const auto covered =
+        hn::And(inRow, CoverExactLanes(cell, *task.View, x, y, entry, exit));
+      if (!hn::AllFalse(d, covered))
       {
-        if (exits[k] < entries[k])
-        {
-          const int pixel = (y - tile.Bottom) * TileSize::Pixels + x + k - tile.Left;
-          AppendExact(cell, x + k, y, entries[k], exits[k], pixel, out);
-        }
+        const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
+        AppendExact(cell, covered, x, y, entry, exit, pixel, out);
       }
     }
   }
