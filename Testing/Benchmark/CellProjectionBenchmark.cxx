@@ -2,11 +2,13 @@
 // transfer functions, frames interleaved, each one's error against the float64 oracle in the same
 // row. Sorts: every visibility sort on the same meshes and eyes. Cuts: what convexification costs
 // and gives. Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
-// Simplification: levels of a mesh, as CSV. Shells: the paper's tables.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|shells]]; the
-//   data's folder is in CELLPROJECTION_DATA
+// Simplification: levels of a mesh, as CSV. Cells: what vtkConvexCells takes. Shells: the paper's
+// tables.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|cells|shells]];
+//   the data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
+#include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
 #include "RealMeshes.h"
@@ -266,6 +268,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "simplification")
   {
     CompareLevels(mesh, folder ? folder : "", frames);
+  }
+  if (section.empty() || section == "cells")
+  {
+    CellsBenchmark::Run(100, frames);
   }
   if (section.empty() || section == "shells")
   {
