@@ -6,10 +6,19 @@ import pathlib
 
 import numpy
 from vtkmodules.util.numpy_support import numpy_to_vtk
-from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkPerlinNoise, vtkStructuredGrid
+from vtkmodules.vtkCommonCore import vtkDoubleArray, vtkIdList, vtkPoints
+from vtkmodules.vtkCommonDataModel import (
+    VTK_HEXAHEDRON, VTK_POLYHEDRON, VTK_QUADRATIC_HEXAHEDRON, vtkMultiBlockDataSet, vtkPerlinNoise, vtkStructuredGrid,
+    vtkUnstructuredGrid)
+from vtkmodules.vtkCommonTransforms import vtkTransform
 from vtkmodules.vtkFiltersCore import vtkAppendFilter
+from vtkmodules.vtkFiltersGeneral import vtkTransformFilter
 from vtkmodules.vtkIOParallel import vtkMultiBlockPLOT3DReader
+
+try:
+    from vtkmodules.vtkIOExodus import vtkExodusIIReader
+except ImportError:
+    vtkExodusIIReader = None
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 
@@ -112,3 +121,92 @@ def make_hexahedra(x, y, z, **arrays):
     append.SetInputData(make_structured(x, y, z, **arrays))
     append.Update()
     return append.GetOutput()
+
+
+def find_leaves(corner, size, is_fine):
+    """The cubes of an octree: corner and size; is_fine(middle, size) says which are cut."""
+    if not is_fine([c + 0.5 * size for c in corner], size):
+        return [(corner, size)]
+    half = size // 2
+    children = [tuple(c + half * (i >> axis & 1) for axis, c in enumerate(corner)) for i in range(8)]
+    return [leaf for child in children for leaf in find_leaves(child, half, is_fine)]
+
+
+def make_octree(size, is_fine):
+    """Polyhedra, one a leaf of the octree of a cube, with the nodes and faces of smaller leaves beside them."""
+    leaves = find_leaves((0, 0, 0), size, is_fine)
+    nodes = {tuple(c + s * (i >> axis & 1) for axis, c in enumerate(leaf)) for leaf, s in leaves for i in range(8)}
+    points, grid = vtkPoints(), vtkUnstructuredGrid()
+    nodes = {node: points.InsertNextPoint(node) for node in sorted(nodes)}
+
+    def split_edge(a, b):
+        middle = tuple((p + q) // 2 for p, q in zip(a, b))
+        hangs = middle in nodes and middle not in (a, b)
+        return split_edge(a, middle) + split_edge(middle, b) if hangs else [nodes[a]]
+
+    def split_side(corner, length, u, v):
+        def at(i, j):
+            return tuple(c + i * (axis == u) + j * (axis == v) for axis, c in enumerate(corner))
+        half = length // 2
+        if half and at(half, half) in nodes:
+            return [f for i in (0, half) for j in (0, half) for f in split_side(at(i, j), half, u, v)]
+        square = [at(0, 0), at(length, 0), at(length, length), at(0, length)]
+        return [[node for a, b in zip(square, square[1:] + square[:1]) for node in split_edge(a, b)]]
+
+    grid.SetPoints(points)
+    for leaf, length in leaves:
+        sides = [(leaf[:a] + (leaf[a] + s,) + leaf[a + 1:], (a + 1) % 3, (a + 2) % 3) for a in range(3) for s in (0, length)]
+        faces, stream = [face for corner, u, v in sides for face in split_side(corner, length, u, v)], vtkIdList()
+        for number in [len(faces)] + [n for face in faces for n in (len(face), *face)]:
+            stream.InsertNextId(number)
+        grid.InsertNextCell(VTK_POLYHEDRON, stream)
+    return grid
+
+
+def make_quadratic_ring(cells):
+    """Hexahedra of 20 nodes around a ring, round and with a wave of heat, and their linear twins of 8 nodes."""
+    sides = [(0, 0), (2, 0), (2, 2), (0, 2)]
+    middles = [(1, 0), (2, 1), (1, 2), (0, 1)]
+    places = [(k, *s) for k in (0, 2) for s in sides] + [(k, *s) for k in (0, 2) for s in middles] + [(1, *s) for s in sides]
+    points, wave, grid, twin, ids = vtkPoints(), vtkDoubleArray(), vtkUnstructuredGrid(), vtkUnstructuredGrid(), {}
+    for cell in range(cells):
+        for k, i, j in places:
+            key = ((2 * cell + k) % (2 * cells), i, j)
+            if key not in ids:
+                angle, radius = math.pi * key[0] / cells, 0.6 + 0.2 * i
+                ids[key] = points.InsertNextPoint(radius * math.cos(angle), radius * math.sin(angle), 0.25 * j)
+                wave.InsertNextValue(0.5 + 0.4 * math.cos(2.0 * angle) + 0.1 * (j - 1))
+        corners = [ids[(2 * cell + k) % (2 * cells), i, j] for k, i, j in places]
+        grid.InsertNextCell(VTK_QUADRATIC_HEXAHEDRON, 20, corners)
+        twin.InsertNextCell(VTK_HEXAHEDRON, 8, corners[:8])
+    for mesh in (grid, twin):
+        mesh.SetPoints(points)
+        mesh.GetPointData().SetScalars(wave)
+    return grid, twin
+
+
+def read_blocks(path):
+    """The blocks of an Exodus file with all their point data."""
+    reader = vtkExodusIIReader()
+    reader.SetFileName(str(path))
+    reader.UpdateInformation()
+    reader.SetAllArrayStatus(reader.NODAL, 1)
+    reader.Update()
+    return reader.GetOutput()
+
+
+def load_blocks():
+    """Composite data, the name of its scalar and of itself."""
+    path = find_data("disk_out_ref.ex2")
+    if path and vtkExodusIIReader:
+        return read_blocks(path), "Temp", "disk_out_ref"
+    print("disk_out_ref.ex2 is not here, or VTK cannot read it: these are two generated blocks.")
+    blocks = vtkMultiBlockDataSet()
+    for block, size in enumerate(((14, 10, 10), (20, 16, 8))):
+        move, turned = vtkTransform(), vtkTransformFilter()
+        move.RotateZ(120.0 * block)
+        turned.SetTransform(move)
+        turned.SetInputData(make_curvilinear(size))
+        turned.Update()
+        blocks.SetBlock(block, turned.GetOutput())
+    return blocks, "Density", "generated blocks"

@@ -7,8 +7,8 @@ import random
 
 import vtkmodules.vtkRenderingOpenGL2  # noqa: F401 (makes the classes below concrete)
 from vtkmodules.vtkCommonCore import vtkPoints
-from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPiecewiseFunction, vtkPolyData
-from vtkmodules.vtkFiltersCore import vtkFeatureEdges
+from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPiecewiseFunction, vtkPlane, vtkPolyData
+from vtkmodules.vtkFiltersCore import vtkCutter, vtkFeatureEdges
 from vtkmodules.vtkFiltersGeometry import vtkDataSetSurfaceFilter
 from vtkmodules.vtkFiltersSources import vtkCylinderSource, vtkPlaneSource
 from vtkmodules.vtkIOImage import vtkPNGWriter
@@ -125,6 +125,23 @@ def make_outline(grid):
     actor.SetMapper(mapper)
     actor.GetProperty().SetColor(0.7, 0.75, 0.8)
     return actor
+
+
+def add_cut(renderer, grid, origin, normal):
+    """The cells in a plane, as lines."""
+    plane, cutter, mapper, actor = vtkPlane(), vtkCutter(), vtkPolyDataMapper(), vtkActor()
+    plane.SetOrigin(origin)
+    plane.SetNormal(normal)
+    cutter.SetCutFunction(plane)
+    cutter.GenerateTrianglesOff()
+    cutter.SetInputData(grid)
+    mapper.SetInputConnection(cutter.GetOutputPort())
+    mapper.ScalarVisibilityOff()
+    actor.SetMapper(mapper)
+    actor.GetProperty().SetRepresentationToWireframe()
+    actor.GetProperty().LightingOff()
+    actor.GetProperty().SetColor(0.35, 0.42, 0.5)
+    renderer.AddActor(actor)
 
 
 def make_window(width, height):

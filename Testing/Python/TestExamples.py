@@ -10,7 +10,8 @@ import vtkcellprojection
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOImage import vtkPNGReader
 
-NEED_DATA = ("01_render_a_file", "07_bucky_ball_and_blunt_fin", "09_ground_fog", "10_lit_bucky_ball")
+NEED_DATA = ("01_render_a_file", "07_bucky_ball_and_blunt_fin", "09_ground_fog", "10_lit_bucky_ball",
+             "18_exodus_blocks")
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
 

@@ -17,7 +17,8 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 PICTURES = {"04_search_light": [], "05_laser_cone": [], "06_camp_fire": ["--frames", "1"], "08_aurora": [],
             "09_ground_fog": ["--generated"], "10_lit_bucky_ball": [], "14_bending_beam": [],
-            "15_iso_surfaces": [], "16_warped_texture": []}
+            "12_polyhedral_mesh": [], "13_quadratic_cells": [], "15_iso_surfaces": [], "16_warped_texture": [],
+            "18_exodus_blocks": []}
 if hasattr(vtkcellprojection, "vtkTetGenTetrahedralizer"):
     PICTURES["17_tetrahedra_by_tetgen"] = []
 # Drivers place the samples of a multisampled window differently: here every pixel is one sample.
