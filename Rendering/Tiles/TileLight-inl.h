@@ -76,7 +76,7 @@ class TileLightSource
 public:
   TileLightSource(const TileLighting& lighting, const TileView& view, const TileRectangle& tile)
     : Lighting(lighting)
-    , Rays(view, lighting.ScreenToView, tile)
+    , Rays(view, lighting.ScreenToLights, tile)
   {
     for (const TileLight& light : lighting.Lights)
     {

@@ -2,19 +2,35 @@
 
 #include "VolumeShading.h"
 
+#include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec4.hpp>
 
 #include <algorithm>
 #include <cmath>
+
+namespace
+{
+// Whether a matrix is a rotation, or a reflection, times one scale.
+bool KeepsAngles(const glm::dmat3& matrix)
+{
+  const glm::dmat3 product = glm::transpose(matrix) * matrix;
+  const double square = product[0][0];
+  double greatest = 0.0;
+  for (int i = 0; i < 9; ++i)
+  {
+    const double expected = i % 4 == 0 ? square : 0.0;
+    greatest = std::max(greatest, std::abs(product[i / 3][i % 3] - expected));
+  }
+  return greatest <= 1e-6 * square;
+}
+}
 
 //------------------------------------------------------------------------------
 void TileLighting::Build(
   const VolumeShading& shading, const TileView& view, const TileView::Camera& camera)
 {
   this->ScreenToMesh = glm::inverse(view.MeshToScreen);
-  this->ScreenToView = camera.MeshToView * this->ScreenToMesh;
-  this->GradientToView = shading.GradientToView;
-  this->GradientScale = shading.GradientScale;
   this->IsLit = shading.IsLit;
   this->Lights.clear();
   this->HasHighlight = false;
@@ -30,6 +46,7 @@ void TileLighting::Build(
     this->HasGlance = this->HasHighlight && this->Power < 2.0f;
     this->SetGreatestTurn(lighting.Specular);
   }
+  this->SetSpace(shading, camera.MeshToView);
   this->HasOpacity = shading.HasGradientOpacity;
   if (this->HasOpacity)
   {
@@ -63,6 +80,36 @@ void TileLighting::AddLight(const SceneLight& light, const VolumeShading& shadin
   this->HasHighlight = this->HasHighlight || added.Specular != glm::vec3(0.0f);
   this->Ambient += light.IsPositional ? glm::vec3(0.0f) : added.Ambient;
   this->Lights.push_back(added);
+}
+
+//------------------------------------------------------------------------------
+void TileLighting::SetSpace(const VolumeShading& shading, const glm::dmat4& meshToView)
+{
+  this->IsInView = !KeepsAngles(glm::dmat3(meshToView));
+  this->GradientToView = shading.GradientToView;
+  this->GradientScale = shading.GradientScale;
+  this->ScreenToLights = this->IsInView ? meshToView * this->ScreenToMesh : this->ScreenToMesh;
+  if (!this->IsInView)
+  {
+    this->GradientScale *= glm::length(shading.GradientToView[0]);
+    const double scale = glm::length(glm::dvec3(meshToView[0]));
+    this->MoveLights(glm::inverse(meshToView), static_cast<float>(scale));
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileLighting::MoveLights(const glm::dmat4& viewToMesh, float scale)
+{
+  auto turn = [&](const glm::vec3& way)
+  { return glm::vec3(static_cast<double>(scale) * (glm::dmat3(viewToMesh) * glm::dvec3(way))); };
+  for (TileLight& light : this->Lights)
+  {
+    light.Place = light.IsPositional
+                    ? glm::vec3(viewToMesh * glm::dvec4(glm::dvec3(light.Place), 1.0))
+                    : turn(light.Place);
+    light.Axis = turn(light.Axis);
+    light.Attenuation *= glm::vec3(1.0f, scale, scale * scale);
+  }
 }
 
 //------------------------------------------------------------------------------

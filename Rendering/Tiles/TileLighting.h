@@ -1,6 +1,7 @@
 /**
  * What light, gradient opacity and other components than the opacity's make of fragments, as the
- * tiles read it. View coordinates.
+ * tiles read it. In mesh coordinates where those differ from the view's by a rotation and one scale
+ * alone, else in view coordinates.
  *
  *     colour (Ambient + sum(arriving Diffuse |n.l|)) + sum(arriving Specular (r.v)^Power)
  *
@@ -59,6 +60,8 @@ public:
   /** Of the length of the gradient times GradientScale; the opacity takes extinction's place. */
   TileTransfer Opacity;
   float GradientScale = 1.0f;
+  /** Whether gradients are turned to the view, and how. */
+  bool IsInView = false;
   glm::mat3 GradientToView{ 1.0f };
 
   enum ColorKinds
@@ -71,11 +74,13 @@ public:
   TileTransfer ColorFunction;
 
   /** Points of a ray times weight(u) are columns 0 x + 1 y + 2 u + 3. */
-  glm::dmat4 ScreenToMesh{ 1.0 }, ScreenToView{ 1.0 };
+  glm::dmat4 ScreenToMesh{ 1.0 }, ScreenToLights{ 1.0 };
 
 private:
   void AddLight(const SceneLight& light, const VolumeShading& shading);
   void SetGreatestTurn(float specular);
+  void SetSpace(const VolumeShading& shading, const glm::dmat4& meshToView);
+  void MoveLights(const glm::dmat4& viewToMesh, float scale);
 };
 
 #endif

@@ -302,15 +302,13 @@ private:
     FieldRows rows;
     if (this->IsLit() || this->HasOpacity())
     {
-      ShadeVector gradient[3], rise[3];
       rows.Load(*this->Task.Gradients, cells, used);
-      rows.At(point, way, gradient, rise);
-      const glm::mat3 toView = glm::transpose(this->Lighting.GradientToView);
-      for (int k = 0; k < 3; ++k)
-      {
-        p.Gradient[k] = Dot(gradient, toView[k]);
-        p.GradientRise[k] = Dot(rise, toView[k]);
-      }
+      rows.At(point, way, p.Gradient, p.GradientRise);
+    }
+    if (this->Lighting.IsInView)
+    {
+      Turn(this->Lighting.GradientToView, p.Gradient);
+      Turn(this->Lighting.GradientToView, p.GradientRise);
     }
     if (this->HasColors())
     {

@@ -6,6 +6,7 @@
 #include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
+#include "TileCellFields.h"
 #include "TileLitShading.h"
 #include "TileProjection.h"
 #include "TileScratch.h"
@@ -44,6 +45,18 @@ inline void PrefetchGroups(const TileTask& task, const std::vector<int>& ids, st
   }
 }
 
+inline void PrefetchFields(const TileCellFields& fields, const std::vector<int>& ids,
+  std::size_t begin, std::size_t end)
+{
+  for (std::size_t k = begin; !fields.Values.empty() && k < end; ++k)
+  {
+    const float* values =
+      &fields.Values[TileCellFields::Stride * static_cast<std::size_t>(ids[k])];
+    hwy::Prefetch(values);
+    hwy::Prefetch(values + TileCellFields::Stride - 1);
+  }
+}
+
 /// Covers the cells of scratch.Drawn and hands on the queue whenever it is full.
 template <class Flush>
 void CoverTile(
@@ -68,6 +81,11 @@ void CoverTile(
   {
     const int count = static_cast<int>(std::min<std::size_t>(TileGroup::Size, ids.size() - i));
     PrefetchGroups(task, ids, i);
+    if (task.Lighting)
+    {
+      PrefetchFields(*task.Gradients, ids, i, i + static_cast<std::size_t>(count));
+      PrefetchFields(*task.Colors, ids, i, i + static_cast<std::size_t>(count));
+    }
     SetUpGroup(task, tile, bounds, &ids[i], count, scratch.Group);
     for (int k = 0; k < count;)
     {

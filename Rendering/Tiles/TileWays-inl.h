@@ -14,6 +14,7 @@
 #include "TileShading-inl.h"
 #include "TileTask.h"
 
+#include <glm/matrix.hpp>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -36,6 +37,16 @@ HWY_INLINE ShadeVector Dot(const ShadeVector (&a)[3], const glm::vec3& b)
   const ShadeFloat d;
   return hn::MulAdd(a[0], hn::Set(d, b[0]),
     hn::MulAdd(a[1], hn::Set(d, b[1]), hn::Mul(a[2], hn::Set(d, b[2]))));
+}
+
+HWY_INLINE void Turn(const glm::mat3& matrix, ShadeVector (&vector)[3])
+{
+  const ShadeVector before[3] = { vector[0], vector[1], vector[2] };
+  const glm::mat3 rows = glm::transpose(matrix);
+  for (int k = 0; k < 3; ++k)
+  {
+    vector[k] = Dot(before, rows[k]);
+  }
 }
 
 /// 1 / sqrt(v), 0 where v is 0; relative error below 1e-6.
