@@ -80,7 +80,7 @@ public:
   {
     for (const TileLight& light : lighting.Lights)
     {
-      this->HasPosition = this->HasPosition || light.IsPositional;
+      this->WithPosition = this->WithPosition || light.IsPositional;
     }
   }
 
@@ -98,7 +98,7 @@ public:
     }
     c.Seen = Dot(p.Gradient, c.ToEye);
     c.SeenRise = Dot(p.GradientRise, c.ToEye);
-    if (this->HasPosition)
+    if (this->WithPosition)
     {
       this->Rays.FindOrigin(p.Pixel, c.Point);
       for (int k = 0; k < 3; ++k)
@@ -113,17 +113,22 @@ public:
     }
   }
 
-  /// The end of a piece up to which light is smooth enough for two Gauss nodes; `end` at most.
-  HWY_INLINE ShadeVector FindBend(const LitCourse& c, ShadeVector end) const
+  /// The end of a piece up to which light is smooth enough for two Gauss nodes; `end` at most. Of a
+  /// small optical `depth` little is seen.
+  HWY_INLINE ShadeVector FindBend(const LitCourse& c, ShadeVector end, ShadeVector depth) const
   {
-    auto bend = this->FindTurn(c, end);
+    const ShadeFloat d;
+    const auto least = hn::Mul(hn::Set(d, LeastKink * LeastKink), c.Squares[0]);
+    auto bend = this->FindTurn(c, end, depth);
     for (std::size_t i = 0; i < this->Lighting.Lights.size(); ++i)
     {
       // From one side of the gradient to the other.
       const LitSide& s = c.Sides[i];
       const auto last = hn::MulAdd(end, s.SideRise, s.Side);
-      const auto changes = hn::Lt(hn::Mul(s.Side, last), hn::Zero(ShadeFloat()));
-      if (!hn::AllFalse(ShadeFloat(), changes))
+      const auto kink = hn::Mul(hn::Sub(last, s.Side), depth);
+      const auto changes = hn::And(hn::Lt(hn::Mul(s.Side, last), hn::Zero(d)),
+        hn::Lt(least, hn::Mul(kink, kink)));
+      if (!hn::AllFalse(d, changes))
       {
         const auto share = hn::Div(hn::Neg(s.Side), s.SideRise);
         bend = hn::IfThenElse(changes, Sooner(bend, share), bend);
@@ -159,7 +164,14 @@ public:
     }
   }
 
+  /// Whether it matters where a piece is.
+  bool HasPosition() const { return this->WithPosition; }
+
 private:
+  /// Of the cosine of the angle to a light, times the optical depth: what may pass unseen.
+  static constexpr float LeastKink = 5e-3f;
+  static constexpr float GreatestTurn = 0.8f;
+
   HWY_INLINE void BeginLight(
     const TileLight& light, const LitPieces& p, const LitCourse& c, LitSide& s) const
   {
@@ -187,10 +199,14 @@ private:
 
   /// Where the gradient has turned by the greatest angle: it moves along a line that passes zero at
   /// a distance.
-  HWY_INLINE ShadeVector FindTurn(const LitCourse& c, ShadeVector end) const
+  HWY_INLINE ShadeVector FindTurn(const LitCourse& c, ShadeVector end, ShadeVector depth) const
   {
     const ShadeFloat d;
-    const auto greatest = hn::Set(d, this->Lighting.GreatestTurn);
+    const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(
+      hn::ApproximateReciprocalSqrt(hn::Min(hn::Max(depth, hn::Set(d, 1e-6f)), hn::Set(d, 1.0f)))));
+    // Errors of many thin pieces cancel out: with the eighth root of their depth.
+    const auto greatest =
+      hn::Min(hn::Mul(root, hn::Set(d, this->Lighting.GreatestTurn)), hn::Set(d, GreatestTurn));
     const auto ahead = hn::MulAdd(end, c.Squares[1], c.Squares[0]);
     const auto room = hn::Mul(greatest, ahead);
     const auto crossed =
@@ -290,7 +306,7 @@ private:
 
   const TileLighting& Lighting;
   const TileRays Rays;
-  bool HasPosition = false;
+  bool WithPosition = false;
 };
 }
 }

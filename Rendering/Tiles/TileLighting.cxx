@@ -34,6 +34,7 @@ void TileLighting::Build(
   this->IsLit = shading.IsLit;
   this->Lights.clear();
   this->HasHighlight = false;
+  this->Specular = 0.0f;
   if (this->IsLit)
   {
     const SceneLighting& lighting = shading.Lighting;
@@ -44,7 +45,7 @@ void TileLighting::Build(
       this->AddLight(light, shading);
     }
     this->HasGlance = this->HasHighlight && this->Power < 2.0f;
-    this->SetGreatestTurn(lighting.Specular);
+    this->SetGreatestTurn();
   }
   this->SetSpace(shading, camera.MeshToView);
   this->HasOpacity = shading.HasGradientOpacity;
@@ -78,6 +79,7 @@ void TileLighting::AddLight(const SceneLight& light, const VolumeShading& shadin
   added.Diffuse = material.Diffuse * light.Diffuse;
   added.Specular = material.Specular * light.Specular;
   this->HasHighlight = this->HasHighlight || added.Specular != glm::vec3(0.0f);
+  this->Specular += std::max({ added.Specular.x, added.Specular.y, added.Specular.z, 0.0f });
   this->Ambient += light.IsPositional ? glm::vec3(0.0f) : added.Ambient;
   this->Lights.push_back(added);
 }
@@ -113,10 +115,9 @@ void TileLighting::MoveLights(const glm::dmat4& viewToMesh, float scale)
 }
 
 //------------------------------------------------------------------------------
-void TileLighting::SetGreatestTurn(float specular)
+void TileLighting::SetGreatestTurn()
 {
   // Two nodes leave the fourth derivative, which of a highlight grows with the power's square.
-  const float sharpness =
-    this->HasHighlight ? std::sqrt(std::sqrt(specular) * this->Power) : 0.0f;
+  const float sharpness = std::sqrt(std::sqrt(this->Specular) * this->Power);
   this->GreatestTurn = 0.5f / std::max(sharpness, 1.25f);
 }

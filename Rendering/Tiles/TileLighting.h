@@ -77,8 +77,11 @@ public:
   glm::dmat4 ScreenToMesh{ 1.0 }, ScreenToLights{ 1.0 };
 
 private:
+  // Of all lights together.
+  float Specular = 0.0f;
+
   void AddLight(const SceneLight& light, const VolumeShading& shading);
-  void SetGreatestTurn(float specular);
+  void SetGreatestTurn();
   void SetSpace(const VolumeShading& shading, const glm::dmat4& meshToView);
   void MoveLights(const glm::dmat4& viewToMesh, float scale);
 };

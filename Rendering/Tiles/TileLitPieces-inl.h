@@ -29,6 +29,21 @@ struct LitPieces
   ShadeIndex Piece, Fragment, Pixel;
 };
 
+/// Three nodes from 0 to 1, and from values there the integrals up to each.
+struct GaussNodes
+{
+  static constexpr float Places[3] = { 0.11270167f, 0.5f, 0.88729833f };
+  static constexpr float Weights[3] = { 0.27777778f, 0.44444444f, 0.27777778f };
+  static constexpr float Running[3][3] = { { 0.13888889f, -0.03597667f, 0.00978944f },
+    { 0.30026320f, 0.22222222f, -0.02248542f }, { 0.26798833f, 0.48042111f, 0.13888889f } };
+};
+
+/// What of a piece matters.
+struct LitNeeds
+{
+  bool Position, Colors;
+};
+
 /// What a piece emits and hides, from its beginning to the share End of what is left.
 struct LitPart
 {
@@ -38,7 +53,7 @@ struct LitPart
   hn::Mask<ShadeFloat> AtNode, Open;
 };
 
-HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, bool hasColors, LitPieces& p)
+HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, LitNeeds needs, LitPieces& p)
 {
   const ShadeFloat d;
   const ShadeInt di;
@@ -46,13 +61,16 @@ HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, bool hasColors, Li
   p.Last = hn::Load(d, from.Last + at);
   p.Length = hn::Load(d, from.Length + at);
   p.Through = hn::Load(d, from.Through + at);
-  p.Depth = hn::Load(d, from.Depth + at);
-  p.DepthRise = hn::Load(d, from.DepthRise + at);
+  if (needs.Position)
+  {
+    p.Depth = hn::Load(d, from.Depth + at);
+    p.DepthRise = hn::Load(d, from.DepthRise + at);
+  }
   for (int k = 0; k < 3; ++k)
   {
     p.Gradient[k] = hn::Load(d, from.Gradient[k] + at);
     p.GradientRise[k] = hn::Load(d, from.GradientRise[k] + at);
-    if (hasColors)
+    if (needs.Colors)
     {
       p.Color[k] = hn::Load(d, from.Color[k] + at);
       p.ColorRise[k] = hn::Load(d, from.ColorRise[k] + at);
@@ -76,7 +94,7 @@ HWY_INLINE void AppendLinear(ShadeMask which, ShadeVector value, ShadeVector ris
 
 /// Appends what is left behind a part.
 HWY_INLINE void AppendPieces(ShadeMask which, const LitPieces& p, const LitPart& part,
-  ShadeVector through, bool hasColors, TileLitPieces& rest)
+  ShadeVector through, LitNeeds needs, TileLitPieces& rest)
 {
   const ShadeFloat d;
   const ShadeInt di;
@@ -90,12 +108,15 @@ HWY_INLINE void AppendPieces(ShadeMask which, const LitPieces& p, const LitPart&
   hn::StoreU(hn::Compress(p.Last, which), d, rest.Last + at);
   hn::StoreU(hn::Compress(hn::Sub(p.Length, part.Length), which), d, rest.Length + at);
   hn::StoreU(hn::Compress(through, which), d, rest.Through + at);
-  AppendLinear(which, p.Depth, p.DepthRise, part.End, rest.Depth + at, rest.DepthRise + at);
+  if (needs.Position)
+  {
+    AppendLinear(which, p.Depth, p.DepthRise, part.End, rest.Depth + at, rest.DepthRise + at);
+  }
   for (int k = 0; k < 3; ++k)
   {
     AppendLinear(which, p.Gradient[k], p.GradientRise[k], part.End, rest.Gradient[k] + at,
       rest.GradientRise[k] + at);
-    if (hasColors)
+    if (needs.Colors)
     {
       AppendLinear(
         which, p.Color[k], p.ColorRise[k], part.End, rest.Color[k] + at, rest.ColorRise[k] + at);

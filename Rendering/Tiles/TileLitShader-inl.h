@@ -63,12 +63,6 @@ public:
   }
 
 private:
-  static constexpr float Gauss3[3] = { 0.11270167f, 0.5f, 0.88729833f };
-  static constexpr float Gauss3Weights[3] = { 0.27777778f, 0.44444444f, 0.27777778f };
-  // From values at the three nodes to the integrals up to each.
-  static constexpr float Running[3][3] = { { 0.13888889f, -0.03597667f, 0.00978944f },
-    { 0.30026320f, 0.22222222f, -0.02248542f }, { 0.26798833f, 0.48042111f, 0.13888889f } };
-
   bool HasOpacity() const { return General && this->Lighting.HasOpacity; }
   bool HasColors() const
   {
@@ -101,17 +95,26 @@ private:
       part.End = hn::IfThenElse(part.AtNode, hn::Min(share, whole), whole);
     }
     const auto node = part.End;
+    part.LastScalar = hn::IfThenElse(part.AtNode, bound, p.Last);
+    part.Front = this->ExtinctionAt(p.Piece, p.First);
+    part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
     if (bends)
     {
-      part.End = this->IsLit() ? this->Light.FindBend(light, part.End) : part.End;
+      const auto length = hn::Mul(hn::Mul(p.Length, part.End), hn::Set(d, 0.5f));
+      const auto depth = hn::Mul(length, hn::Add(part.Front, part.Back));
+      part.End = this->IsLit() ? this->Light.FindBend(light, part.End, depth) : part.End;
       part.End = this->HasOpacity() ? this->Opacity.FindBend(opacity, part.End) : part.End;
       part.End = this->HasColors() ? this->Colors.FindBend(p, part.End) : part.End;
     }
     const auto bent = hn::Lt(part.End, node);
     part.AtNode = hn::AndNot(bent, part.AtNode);
     part.Open = hn::Or(part.AtNode, hn::And(bent, used));
-    part.LastScalar = hn::IfThenElse(part.AtNode, bound,
-      hn::IfThenElse(bent, hn::MulAdd(part.End, rise, p.First), p.Last));
+    if (!hn::AllFalse(d, bent))
+    {
+      const auto last = hn::MulAdd(part.End, rise, p.First);
+      part.LastScalar = hn::IfThenElse(bent, last, part.LastScalar);
+      part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
+    }
   }
 
   /// Cuts where the optical depth would pass 1.
@@ -120,8 +123,6 @@ private:
   {
     const ShadeFloat d;
     part.Length = hn::Mul(p.Length, part.End);
-    part.Front = this->ExtinctionAt(p.Piece, p.First);
-    part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
     auto front = hn::Mul(part.Front, part.Length), back = hn::Mul(part.Back, part.Length);
     if (this->HasOpacity())
     {
@@ -184,8 +185,8 @@ private:
     }
   }
 
-  /// Of extinction that is linear: alpha is exact, and the two nodes are Gauss nodes of the light that
-  /// is absorbed: sum, mean, mean square and nearly the mean cube of its places, from -1 to 1.
+  /// Of extinction that is linear: alpha is exact, and the two nodes are Gauss nodes of the light
+  /// absorbed: sum, mean, mean square and nearly mean cube of its places, from -1 to 1.
   HWY_INLINE void ShadeLinear(const LitPieces& p, const LitCourse& light, const LitPart& part,
     ShadeVector (&color)[4]) const
   {
@@ -224,18 +225,18 @@ private:
     auto whole = hn::Zero(d), total = hn::Set(d, 1e-30f);
     for (int i = 0; i < 3; ++i)
     {
-      const auto at = hn::Set(d, Gauss3[i]);
+      const auto at = hn::Set(d, GaussNodes::Places[i]);
       const auto extinction = hn::MulAdd(at, hn::Sub(part.Back, part.Front), part.Front);
       const auto opened = this->Opacity.At(opacity, hn::Mul(part.End, at));
       depth[i] = hn::Mul(hn::Mul(extinction, part.Length), opened);
-      whole = hn::MulAdd(hn::Set(d, Gauss3Weights[i]), depth[i], whole);
+      whole = hn::MulAdd(hn::Set(d, GaussNodes::Weights[i]), depth[i], whole);
     }
     for (int i = 0; i < 3; ++i)
     {
-      const auto before = hn::MulAdd(hn::Set(d, Running[i][0]), depth[0],
-        hn::MulAdd(hn::Set(d, Running[i][1]), depth[1],
-          hn::Mul(hn::Set(d, Running[i][2]), depth[2])));
-      const auto weight = hn::Mul(hn::Set(d, Gauss3Weights[i]), depth[i]);
+      const auto before = hn::MulAdd(hn::Set(d, GaussNodes::Running[i][0]), depth[0],
+        hn::MulAdd(hn::Set(d, GaussNodes::Running[i][1]), depth[1],
+          hn::Mul(hn::Set(d, GaussNodes::Running[i][2]), depth[2])));
+      const auto weight = hn::Mul(hn::Set(d, GaussNodes::Weights[i]), depth[i]);
       absorbed[i] = hn::Mul(weight, hn::Exp(d, hn::Neg(before)));
       total = hn::Add(total, absorbed[i]);
     }
@@ -247,7 +248,7 @@ private:
     for (int i = 0; i < 3; ++i)
     {
       this->AddColor(
-        p, light, part, hn::Set(d, Gauss3[i]), hn::Mul(absorbed[i], scale), color);
+        p, light, part, hn::Set(d, GaussNodes::Places[i]), hn::Mul(absorbed[i], scale), color);
     }
     color[3] = hn::Neg(alpha);
   }
@@ -282,7 +283,8 @@ private:
       const auto through = hn::MulAdd(p.Through, color[3], p.Through);
       // What is nearly opaque hides the rest.
       const auto seen = hn::And(part.Open, hn::Lt(hn::Set(d, 1e-7f), through));
-      AppendPieces(seen, p, part, through, this->HasColors(), rest);
+      AppendPieces(
+        seen, p, part, through, { this->Light.HasPosition(), this->HasColors() }, rest);
     }
   }
 
@@ -359,7 +361,7 @@ private:
     {
       const int count = std::min(lanes, now.Count - at);
       LitPieces p;
-      LoadPieces(now, at, this->HasColors(), p);
+      LoadPieces(now, at, { this->Light.HasPosition(), this->HasColors() }, p);
       ShadeVector color[4];
       this->ShadePiece(p, hn::FirstN(d, static_cast<std::size_t>(count)), pass, next, color);
       for (auto& component : color)
