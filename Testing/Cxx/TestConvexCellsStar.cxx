@@ -145,7 +145,7 @@ void TestNewData()
 
 int TestConvexCellsStar(int, char*[])
 {
-  for (const int tips : { 5, 8, 300 })
+  for (const int tips : { 5, 8, 300, 1000 })
   {
     TestStar(tips, VTK_DOUBLE, 1.0);
     TestStar(tips, VTK_DOUBLE, 1e-6);
