@@ -73,11 +73,49 @@ double LargestBall::Value(const double x[4], double pull) const
   return value;
 }
 
+// Of a symmetric matrix, by Cholesky; `x` is the right-hand side, then the solution. False where the
+// matrix is not positive definite. (vtkMath::SolveLinearSystem prints where it cannot.)
+bool SolvePositive(double (&rows)[4][4], double (&x)[4])
+{
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int j = 0; j <= i; ++j)
+    {
+      double rest = rows[i][j];
+      for (int k = 0; k < j; ++k)
+      {
+        rest -= rows[i][k] * rows[j][k];
+      }
+      if (i == j && !(rest > 0.0))
+      {
+        return false;
+      }
+      rows[i][j] = i == j ? std::sqrt(rest) : rest / rows[j][j];
+    }
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    for (int k = 0; k < i; ++k)
+    {
+      x[i] -= rows[i][k] * x[k];
+    }
+    x[i] /= rows[i][i];
+  }
+  for (int i = 3; i >= 0; --i)
+  {
+    for (int k = i + 1; k < 4; ++k)
+    {
+      x[i] -= rows[k][i] * x[k];
+    }
+    x[i] /= rows[i][i];
+  }
+  return true;
+}
+
 // One of Newton's; false where it gains nothing.
 bool LargestBall::Step(double pull)
 {
   double rows[4][4] = {}, down[4] = { 0, 0, 0, pull };
-  double* matrix[4] = { rows[0], rows[1], rows[2], rows[3] };
   for (const Plane& plane : this->Planes)
   {
     const double gap = this->Gap(plane, this->X);
@@ -94,7 +132,7 @@ bool LargestBall::Step(double pull)
   }
   double gain = 0.0;
   double along[4] = { down[0], down[1], down[2], down[3] };
-  if (!vtkMath::SolveLinearSystem(matrix, along, 4))
+  if (!SolvePositive(rows, along))
   {
     return false;
   }
