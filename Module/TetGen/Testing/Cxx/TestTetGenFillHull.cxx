@@ -50,7 +50,7 @@ void TestMesh(const char* name)
       i < cells || (output->GetCellType(i) == VTK_TETRA && TetrahedronVolume(output, i) > -1e-15));
   }
   const double hull = TetrahedraCheck::HullVolume(grid);
-  CHECK(Near(VolumeOfMarked(output, true) + VolumeOfMarked(output, false), hull, 1e-9));
+  CHECK(Near(VolumeOfMarked(output, true) + VolumeOfMarked(output, false), hull, 1e-10));
   vtkNew<vtkMPVOVisibilitySort> sort;
   for (SortTesting::Eye eye : SortTesting::Eyes(output))
   {
@@ -78,8 +78,8 @@ void TestFilter()
   filter->SetFillAlgorithm(fill);
   filter->SetFillMethodToAlgorithm();
   filter->Update();
-  CHECK(Near(filter->GetImaginaryVolume(), cuts->GetImaginaryVolume(), 1e-9));
-  CHECK(Near(filter->GetEnclosureVolume(), cuts->GetEnclosureVolume(), 1e-9));
+  CHECK(Near(filter->GetImaginaryVolume(), cuts->GetImaginaryVolume(), 1e-10));
+  CHECK(Near(filter->GetEnclosureVolume(), cuts->GetEnclosureVolume(), 1e-10));
   CHECK_EQUAL(filter->GetFacesPerImaginaryCell(), 4.0);
   CHECK_EQUAL(filter->GetNumberOfImaginaryCells(), fill->GetNumberOfImaginaryCells());
   CHECK(filter->GetOutput()->GetFieldData()->HasArray("ImaginaryContacts"));
