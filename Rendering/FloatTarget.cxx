@@ -39,7 +39,6 @@ bool FloatTarget::Upload(vtkOpenGLRenderWindow* window, const int size[2], const
   }
   this->Allocate(window, size[0], size[1]);
   this->Color->Activate();
-  glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, image);
   this->Color->Deactivate();
   return true;

@@ -4,8 +4,10 @@
 #include "CutCells.h"
 #include "DrawnFaces.h"
 #include "MaximumRaster.h"
+#include "PolyhedraTiles.h"
 #include "PreparedPolyhedra.h"
 #include "PreparedVolume.h"
+#include "Tiles/ExtremumTilesEngine.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -20,6 +22,8 @@ class vtkMaximumProjectionMapper::Internals
 public:
   PreparedPolyhedra Polyhedra;
   MaximumRaster Raster;
+  PolyhedraTiles Tiles;
+  ExtremumTilesEngine Engine;
   // For which blend mode cells were selected.
   bool SelectedLeast = false;
 
@@ -74,6 +78,24 @@ void vtkMaximumProjectionMapper::SortCells(CellProjectionFrame& frame)
   {
     this->WarnOnce(polyhedra.GetFlatCellsMessage());
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkMaximumProjectionMapper::FindTilesObstacle(const CellProjectionFrame& frame) const
+{
+  return PolyhedraTiles::FindObstacle(frame);
+}
+
+//------------------------------------------------------------------------------
+const float* vtkMaximumProjectionMapper::DrawTiles(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  internal.Tiles.Update(internal.Engine, prepared, internal.Polyhedra,
+    [&](const std::vector<float>& values, bool onePerCell)
+    { internal.Engine.SetScalars(values, onePerCell, this->FindsLeast()); });
+  const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
+  return drawn ? internal.Engine.GetImage().data() : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,8 @@ protected:
   bool NeedsTetrahedra() const override { return false; }
   bool IsOpacityPerLength() const override { return false; }
   void SortCells(CellProjectionFrame& frame) override;
+  std::string FindTilesObstacle(const CellProjectionFrame& frame) const override;
+  const float* DrawTiles(CellProjectionFrame& frame) override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
 

@@ -2,9 +2,11 @@
 
 #include "CellProjectionFrame.h"
 #include "PolyhedraRaster.h"
+#include "PolyhedraTiles.h"
 #include "PreparedPolyhedra.h"
 #include "PreparedVolume.h"
 #include "ThreePassRaster.h"
+#include "Tiles/EmissionTilesEngine.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -18,6 +20,8 @@ public:
   PreparedPolyhedra Polyhedra;
   PolyhedraRaster Raster;
   ThreePassRaster ThreePasses;
+  PolyhedraTiles Tiles;
+  EmissionTilesEngine Engine;
   vtkTimeStamp CellsUploaded;
 };
 
@@ -68,6 +72,26 @@ void vtkProjectedPolyhedraMapper::SortCells(CellProjectionFrame& frame)
   {
     this->WarnOnce(polyhedra.GetFlatCellsMessage());
   }
+}
+
+//------------------------------------------------------------------------------
+std::string vtkProjectedPolyhedraMapper::FindTilesObstacle(const CellProjectionFrame& frame) const
+{
+  return this->Passes == THREE  ? "three passes"
+         : this->AverageEmission ? "the mean emission of both ends"
+                                 : PolyhedraTiles::FindObstacle(frame);
+}
+
+//------------------------------------------------------------------------------
+const float* vtkProjectedPolyhedraMapper::DrawTiles(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const PreparedVolume& prepared = this->GetPreparedVolume();
+  internal.Tiles.Update(internal.Engine, prepared, internal.Polyhedra,
+    [&](const std::vector<float>& values, bool onePerCell)
+    { internal.Engine.SetScalars(values, onePerCell); });
+  const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
+  return drawn ? internal.Engine.GetImage().data() : nullptr;
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,7 @@
 #ifndef TileScratch_h
 #define TileScratch_h
 
+#include "ConvexTileExactCell.h"
 #include "TileBuffer.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
@@ -26,6 +27,7 @@ struct TileScratch
   TileOrder Order;
   TileRepair Repair;
   std::vector<int> Drawn;
+  ConvexTileExactCell ExactCell;
   TileCounts Counts;
 };
 

@@ -1,6 +1,5 @@
 #include "TileVertices.h"
 
-#include "TileMesh.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
 
@@ -25,24 +24,24 @@ void TransformPoint(const TileView& view, const float* point, float* out)
 }
 
 //------------------------------------------------------------------------------
-void TileVertices::Transform(const TileMesh& mesh, const TileView& view)
+void TileVertices::Transform(const std::vector<float>& points, const TileView& view)
 {
-  this->Values.resize(mesh.Points.size());
-  vtkSMPTools::For(0, mesh.GetNumberOfPoints(),
+  this->Values.resize(points.size());
+  vtkSMPTools::For(0, static_cast<vtkIdType>(points.size() / 4),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        TransformPoint(view, &mesh.Points[4 * i], &this->Values[4 * i]);
+        TransformPoint(view, &points[4 * i], &this->Values[4 * i]);
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void TileVertices::CopyScalars(const TileMesh& mesh)
+void TileVertices::CopyScalars(const std::vector<float>& points)
 {
   for (std::size_t i = 3; i < this->Values.size(); i += 4)
   {
-    this->Values[i] = mesh.Points[i];
+    this->Values[i] = points[i];
   }
 }

@@ -10,15 +10,15 @@
 
 #include <vector>
 
-class TileMesh;
 class TileView;
 
 class TileVertices
 {
 public:
-  void Transform(const TileMesh& mesh, const TileView& view);
+  /** `points`: x, y, z, scalar. */
+  void Transform(const std::vector<float>& points, const TileView& view);
   /** New scalars, the same view. */
-  void CopyScalars(const TileMesh& mesh);
+  void CopyScalars(const std::vector<float>& points);
 
   static constexpr float OffScreen = 3e38f;
   /** Pixels; farther off a float's step is over 1e-3. */

@@ -1,5 +1,17 @@
 # The Tiles engines: added to the lists of the module.
 list(APPEND sources
+  Rendering/PolyhedraTiles.cxx
+  Rendering/Tiles/ConvexTileCells.cxx
+  Rendering/Tiles/ConvexTileExactCell.cxx
+  Rendering/Tiles/ConvexTileFaces.cxx
+  Rendering/Tiles/ConvexTileMesh.cxx
+  Rendering/Tiles/ConvexTileRays.cxx
+  Rendering/Tiles/ConvexTilesFrame.cxx
+  Rendering/Tiles/EmissionProjection.cxx
+  Rendering/Tiles/EmissionTable.cxx
+  Rendering/Tiles/EmissionTilesEngine.cxx
+  Rendering/Tiles/ExtremumProjection.cxx
+  Rendering/Tiles/ExtremumTilesEngine.cxx
   Rendering/Tiles/TileBins.cxx
   Rendering/Tiles/TileCellFields.cxx
   Rendering/Tiles/TileCells.cxx
@@ -19,11 +31,27 @@ list(APPEND sources
   Rendering/Tiles/TilesEngine.cxx)
 
 list(APPEND private_headers
+  Rendering/PolyhedraTiles.h
+  Rendering/Tiles/ConvexTileCells.h
+  Rendering/Tiles/ConvexTileCoverage-inl.h
+  Rendering/Tiles/ConvexTileExactCell.h
+  Rendering/Tiles/ConvexTileFaces.h
+  Rendering/Tiles/ConvexTileMesh.h
+  Rendering/Tiles/ConvexTileRays.h
+  Rendering/Tiles/ConvexTileTask.h
+  Rendering/Tiles/ConvexTilesFrame.h
+  Rendering/Tiles/EmissionProjection.h
+  Rendering/Tiles/EmissionShading-inl.h
+  Rendering/Tiles/EmissionTable.h
+  Rendering/Tiles/EmissionTilesEngine.h
+  Rendering/Tiles/ExtremumProjection.h
+  Rendering/Tiles/ExtremumTilesEngine.h
   Rendering/Tiles/TileBins.h
   Rendering/Tiles/TileBuffer.h
   Rendering/Tiles/TileCellFields.h
   Rendering/Tiles/TileCells.h
   Rendering/Tiles/TileClipping-inl.h
+  Rendering/Tiles/TileColors-inl.h
   Rendering/Tiles/TileCompositing-inl.h
   Rendering/Tiles/TileCoverage-inl.h
   Rendering/Tiles/TileExactCell.h

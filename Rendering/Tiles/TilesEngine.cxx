@@ -53,7 +53,7 @@ void TilesEngine::SetScalars(const std::vector<float>& values, bool onePerCell)
   this->Mesh.SetScalars(values, onePerCell);
   if (this->IsTransformed)
   {
-    this->Vertices.CopyScalars(this->Mesh);
+    this->Vertices.CopyScalars(this->Mesh.Points);
   }
 }
 
@@ -83,7 +83,7 @@ bool TilesEngine::Transform(const Scene& scene)
   {
     return false;
   }
-  this->Vertices.Transform(this->Mesh, this->View);
+  this->Vertices.Transform(this->Mesh.Points, this->View);
   this->Cells.Project(this->Mesh, this->View, this->Vertices);
   this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
   this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;

@@ -87,6 +87,7 @@ std::vector<PolyhedraMappers::Entry> PolyhedraMappers::Exact()
 PolyhedraScene::PolyhedraScene(vtkConvexCellMapper* mapper, int width, int height)
   : TestScene(mapper, width, height)
 {
+  this->TakeTestEngine();
   this->SetFunctions();
 }
 

@@ -25,6 +25,7 @@ double DifferenceToFresh(PolyhedraScene& scene, const PolyhedraMappers::Entry& m
   fresh->SetClippingPlanes(before->GetClippingPlanes());
   fresh->SetScalarMode(before->GetScalarMode());
   fresh->SetBlendMode(before->GetBlendMode());
+  fresh->SetEngine(before->GetEngine());
   fresh->SelectScalarArray("other");
   fresh->CaptureImageOn();
   scene.Volume->SetMapper(fresh);

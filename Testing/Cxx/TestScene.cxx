@@ -45,6 +45,12 @@ TestScene::TestScene(int width, int height)
 {
   vtkNew<FaceOrderSort> sort;
   this->GetTetrahedraMapper()->SetVisibilitySort(sort);
+  this->TakeTestEngine();
+}
+
+//------------------------------------------------------------------------------
+void TestScene::TakeTestEngine()
+{
   const char* engine = std::getenv("CELLPROJECTION_TEST_ENGINE");
   if (engine)
   {

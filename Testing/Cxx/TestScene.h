@@ -61,6 +61,8 @@ public:
   /// The engine is that of CELLPROJECTION_TEST_ENGINE, Raster or Tiles, where that is set.
   explicit TestScene(int width = 128, int height = 128);
   explicit TestScene(vtkConvexCellMapper* mapper, int width = 128, int height = 128);
+  /// Lets CELLPROJECTION_TEST_ENGINE choose the mapper's engine.
+  void TakeTestEngine();
 
   /// The largest difference between the captured image and the oracle; below zero where either
   /// failed. Prints all the figures.

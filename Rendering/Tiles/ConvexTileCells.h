@@ -1,0 +1,39 @@
+/**
+ * Where convex cells lie on the screen.
+ */
+#ifndef ConvexTileCells_h
+#define ConvexTileCells_h
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+class ConvexTileFaces;
+class ConvexTileMesh;
+class TileVertices;
+class TileView;
+
+class ConvexTileCells
+{
+public:
+  /** Cells that are not drawn get no tile. `allExact`: whether all are set up in double. */
+  void Project(const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices,
+    const ConvexTileFaces& faces, bool allExact);
+
+  /** As those of class TileCells. */
+  std::vector<std::uint32_t> Tiles;
+  /** First and last pixel column, first and last row. */
+  std::vector<std::array<short, 4>> Boxes;
+  /** Not 0: the cell needs class ConvexTileExactCell. */
+  std::vector<unsigned char> Exact;
+
+  /** A ray's weight (class TileView) falls to a lesser share within no cell that floats serve; what
+   *  is drawn in double is cut into parts, at most so many. */
+  static constexpr double LeastShare = 0.125;
+  static constexpr int MostParts = 16;
+
+private:
+  void SetBox(int cell, const std::array<int, 4>& box);
+};
+
+#endif

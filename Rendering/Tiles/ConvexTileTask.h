@@ -1,0 +1,24 @@
+/**
+ * What the projection of every tile of convex cells reads.
+ */
+#ifndef ConvexTileTask_h
+#define ConvexTileTask_h
+
+#include "TileTask.h"
+
+class ConvexTileCells;
+class ConvexTileFaces;
+class ConvexTileMesh;
+class ConvexTileRays;
+
+struct ConvexTileTask
+{
+  /** View, limits and image; the rest of it is that of tetrahedra. */
+  TileTask Common;
+  const ConvexTileMesh* Mesh = nullptr;
+  const ConvexTileRays* Rays = nullptr;
+  const ConvexTileFaces* Faces = nullptr;
+  const ConvexTileCells* Cells = nullptr;
+};
+
+#endif

@@ -1,0 +1,104 @@
+#include "ConvexTilesFrame.h"
+
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <memory>
+#include <utility>
+
+//------------------------------------------------------------------------------
+void ConvexTilesFrame::SetMesh(const std::vector<float>& points, const ConvexCellFaces& cells,
+  const FacePieces& pieces, const CellPlanes& planes)
+{
+  this->Mesh.Build(points, cells, pieces, planes);
+  this->HasView = false;
+}
+
+//------------------------------------------------------------------------------
+void ConvexTilesFrame::SetScalars(const std::vector<float>& values, bool onePerCell, float sign)
+{
+  this->Mesh.SetScalars(values, onePerCell, sign);
+  if (this->HasView)
+  {
+    this->Vertices.CopyScalars(this->Mesh.Points);
+  }
+  this->HasCells = false;
+}
+
+//------------------------------------------------------------------------------
+void ConvexTilesFrame::SetDrawn(const std::vector<unsigned int>& cells)
+{
+  this->Mesh.SetDrawn(cells);
+  this->HasCells = false;
+}
+
+//------------------------------------------------------------------------------
+bool ConvexTilesFrame::SetView(const TileView::Camera& camera)
+{
+  if (this->HasView && camera == this->SeenCamera)
+  {
+    return true;
+  }
+  this->HasView = this->HasCells = false;
+  if (std::max(camera.Width, camera.Height) > TileSize::LargestImage || !this->View.Build(camera))
+  {
+    return false;
+  }
+  this->Rays.Build(camera);
+  this->Vertices.Transform(this->Mesh.Points, this->View);
+  this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->SeenCamera = camera;
+  this->HasView = true;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void ConvexTilesFrame::SetCells(
+  const Scene& scene, const ConvexTileFaces::Bounds& bounds, bool allExact)
+{
+  if (!this->HasCells || !(bounds == this->SeenBounds) || allExact != this->SeenAllExact)
+  {
+    this->Faces.Project(this->Mesh, this->View, this->Vertices, bounds);
+    this->Cells.Project(this->Mesh, this->View, this->Vertices, this->Faces, allExact);
+    this->Bins.Fill(this->Cells.Tiles, this->Order, this->TilesX, this->TilesY);
+    this->SeenBounds = bounds;
+    this->SeenAllExact = allExact;
+    this->HasCells = true;
+  }
+  this->Task.Common.View = &this->View;
+  this->Task.Common.Limits =
+    this->Limits.Build(this->View, scene.OpaqueDepth, scene.ClippingPlanes) ? &this->Limits
+                                                                            : nullptr;
+  this->Task.Mesh = &this->Mesh;
+  this->Task.Rays = &this->Rays;
+  this->Task.Faces = &this->Faces;
+  this->Task.Cells = &this->Cells;
+}
+
+//------------------------------------------------------------------------------
+TileRectangle ConvexTilesFrame::RectangleOf(int tile) const
+{
+  TileRectangle rectangle;
+  rectangle.Left = rectangle.FirstX = tile % this->TilesX * TileSize::Pixels;
+  rectangle.Bottom = rectangle.FirstY = tile / this->TilesX * TileSize::Pixels;
+  rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, this->View.Width) - 1;
+  rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, this->View.Height) - 1;
+  return rectangle;
+}
+
+//------------------------------------------------------------------------------
+void ConvexTilesFrame::Draw(const Drawer& draw)
+{
+  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      std::unique_ptr<TileScratch> scratch = this->Scratch.Take();
+      for (auto tile = static_cast<int>(begin); tile < end; ++tile)
+      {
+        draw(this->RectangleOf(tile), this->Bins.GetTile(tile), this->Bins.GetSize(tile), *scratch);
+      }
+      this->Scratch.Return(std::move(scratch));
+    });
+  this->Counts = this->Scratch.CollectCounts();
+}

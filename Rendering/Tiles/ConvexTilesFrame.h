@@ -1,0 +1,82 @@
+/**
+ * The stages of a frame that all engines of convex cells share: points and faces to the screen,
+ * cells to tiles, limits of the rays. What stands from the last frame on is not done again.
+ */
+#ifndef ConvexTilesFrame_h
+#define ConvexTilesFrame_h
+
+#include "ConvexTileCells.h"
+#include "ConvexTileFaces.h"
+#include "ConvexTileMesh.h"
+#include "ConvexTileRays.h"
+#include "ConvexTileTask.h"
+#include "TileBins.h"
+#include "TileLimits.h"
+#include "TileScratchPool.h"
+#include "TileVertices.h"
+#include "TileView.h"
+
+#include <glm/vec4.hpp>
+
+#include <functional>
+#include <vector>
+
+class TransferFunction;
+
+class ConvexTilesFrame
+{
+public:
+  struct Scene
+  {
+    TileView::Camera Camera;
+    const TransferFunction* Function = nullptr;
+    /** Window depths per pixel, or null; view coordinates. */
+    const float* OpaqueDepth = nullptr;
+    std::vector<glm::vec4> ClippingPlanes;
+  };
+
+  /** See class ConvexTileMesh. */
+  void SetMesh(const std::vector<float>& points, const ConvexCellFaces& cells,
+    const FacePieces& pieces, const CellPlanes& planes);
+  void SetScalars(const std::vector<float>& values, bool onePerCell, float sign);
+  void SetDrawn(const std::vector<unsigned int>& cells);
+
+  /** Drawn in that order within each tile; null for that of the mesh. */
+  void SetOrder(const std::vector<int>* order) { this->Order = order; }
+
+  /** False where the view has no inverse or is larger than TileSize::LargestImage. */
+  bool SetView(const TileView::Camera& camera);
+  /** After SetView. */
+  void SetCells(const Scene& scene, const ConvexTileFaces::Bounds& bounds, bool allExact);
+
+  /** Tile by tile, on all cores: the tile, its cells and their number. */
+  using Drawer =
+    std::function<void(const TileRectangle& tile, const int* cells, int count, TileScratch&)>;
+  void Draw(const Drawer& draw);
+
+  ConvexTileMesh Mesh;
+  TileView View;
+  ConvexTileTask Task;
+  TileCounts Counts;
+
+private:
+  TileRectangle RectangleOf(int tile) const;
+
+  ConvexTileRays Rays;
+  TileVertices Vertices;
+  ConvexTileFaces Faces;
+  ConvexTileCells Cells;
+  TileBins Bins;
+  TileLimits Limits;
+  TileScratchPool Scratch;
+  const std::vector<int>* Order = nullptr;
+  int TilesX = 0, TilesY = 0;
+
+  TileView::Camera SeenCamera;
+  ConvexTileFaces::Bounds SeenBounds;
+  bool SeenAllExact = false;
+  bool HasView = false;
+  bool HasCells = false;
+};
+
+#endif

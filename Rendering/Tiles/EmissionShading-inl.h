@@ -1,0 +1,212 @@
+/**
+ * The emission of fragments, a full vector of any cells at a time.
+ *
+ * A fragment is cut where the transfer function bends; in a piece the emission is a quadratic
+ * function of the scalar, whose mean is exact. The first piece of every fragment is shaded straight
+ * through; what is left of those that are cut waits in a second queue and is shaded the same way.
+ */
+#if defined(EmissionShading_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef EmissionShading_inl_h
+#undef EmissionShading_inl_h
+#else
+#define EmissionShading_inl_h
+#endif
+
+#include "EmissionTable.h"
+#include "TileColors-inl.h"
+#include "TileFragments.h"
+#include "TileShading-inl.h"
+#include "TileView.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// Pieces about to be shaded, one per lane.
+struct EmissionPieces
+{
+  ShadeVector First, Last, Length;
+  ShadeIndex Piece, Fragment;
+};
+
+template <class LookUp>
+class EmissionShader
+{
+public:
+  EmissionShader(const EmissionTable& table, const TileView& view, const TileRectangle& tile)
+    : Table(table)
+    , Lengths(view, tile)
+    , WeightScale(static_cast<float>(view.WeightScale))
+    , WeightOffset(static_cast<float>(view.WeightOffset))
+  {
+  }
+
+  /// Fills the colours; returns how many pieces there were.
+  long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
+  {
+    long long pieces = fragments.Count;
+    TileRemainders* now = &remainders[0];
+    TileRemainders* next = &remainders[1];
+    now->Count = 0;
+    this->ShadeFirstPieces(fragments, *now);
+    for (; now->Count > 0; std::swap(now, next))
+    {
+      pieces += now->Count;
+      next->Count = 0;
+      this->ShadeRemainders(fragments, *now, *next);
+    }
+    return pieces;
+  }
+
+private:
+  HWY_INLINE ShadeIndex FindPiece(ShadeVector scalar) const
+  {
+    const ShadeInt di;
+    auto piece = hn::Zero(di);
+    for (int bit = 1 << this->Table.SearchSteps >> 1; bit != 0; bit >>= 1)
+    {
+      const auto higher = hn::Or(piece, hn::Set(di, bit));
+      const auto reached = hn::Le(this->Values(this->Table.Bounds.data(), higher), scalar);
+      piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
+    }
+    return piece;
+  }
+
+  HWY_INLINE void ShadePiece(
+    const EmissionPieces& p, ShadeMask used, TileRemainders& rest, ShadeVector (&color)[4]) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    const EmissionTable& t = this->Table;
+    const auto rise = hn::Sub(p.Last, p.First);
+    const auto rising = hn::RebindMask(di, hn::Lt(hn::Zero(d), rise));
+    const auto one = hn::IfThenElseZero(rising, hn::Set(di, 1));
+    const auto bound = this->Values(t.Bounds.data(), hn::Add(p.Piece, one));
+    const auto cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
+    auto end = p.Last, part = p.Length;
+    if (!hn::AllFalse(d, cut))
+    {
+      const auto share = hn::Div(hn::Sub(bound, p.First), rise);
+      end = hn::IfThenElse(cut, bound, end);
+      part = hn::IfThenElse(cut, hn::Min(hn::Mul(part, share), part), part);
+      const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(one, one)), hn::Set(di, 1));
+      this->Append(cut, { end, p.Last, hn::Sub(p.Length, part), beside, p.Fragment }, rest);
+    }
+    const auto origin = this->Values(t.Origins.data(), p.Piece);
+    const auto a = hn::Sub(p.First, origin), b = hn::Sub(end, origin);
+    // Means of x and of x x between a and b.
+    const auto mean = hn::Mul(hn::Set(d, 0.5f), hn::Add(a, b));
+    const auto square =
+      hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::MulAdd(a, hn::Add(a, b), hn::Mul(b, b)));
+    for (int k = 0; k < 3; ++k)
+    {
+      const auto value = hn::MulAdd(this->Values(t.C2[k].data(), p.Piece), square,
+        hn::MulAdd(this->Values(t.C1[k].data(), p.Piece), mean,
+          this->Values(t.C0[k].data(), p.Piece)));
+      color[k] = hn::Mul(part, value);
+    }
+    color[3] = hn::Zero(d);
+  }
+
+  HWY_INLINE void Append(ShadeMask which, const EmissionPieces& p, TileRemainders& rest) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    const auto whichInt = hn::RebindMask(di, which);
+    const int at = rest.Count;
+    hn::StoreU(hn::Compress(p.First, which), d, rest.First + at);
+    hn::StoreU(hn::Compress(p.Last, which), d, rest.Last + at);
+    hn::StoreU(hn::Compress(p.Length, which), d, rest.Length + at);
+    hn::StoreU(hn::Compress(p.Piece, whichInt), di, rest.Piece + at);
+    hn::StoreU(hn::Compress(p.Fragment, whichInt), di, rest.Fragment + at);
+    rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
+  }
+
+  void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const auto scale = hn::Set(d, this->WeightScale), offset = hn::Set(d, this->WeightOffset);
+    for (int at = 0; at < q.Count; at += lanes)
+    {
+      const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
+      const auto weightIn = hn::MulAdd(scale, entry, offset);
+      const auto weightOut = hn::NegMulAdd(scale, extent, weightIn);
+      const auto inverse = Reciprocal(d, hn::Mul(weightIn, weightOut));
+      EmissionPieces p;
+      const auto perDepth = this->Lengths.At(hn::Load(di, q.Pixel + at));
+      p.Length = hn::Mul(hn::Mul(extent, inverse), perDepth);
+      p.First = hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), weightOut), inverse);
+      p.Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), weightIn), inverse);
+      p.Piece = this->FindPiece(p.First);
+      p.Fragment = hn::Iota(di, at);
+      ShadeVector color[4];
+      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
+      this->ShadePiece(p, used, rest, color);
+      StoreColors(color, at, q);
+    }
+  }
+
+  void ShadeRemainders(TileFragments& q, const TileRemainders& now, TileRemainders& next) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    HWY_ALIGN float colors[16][4];
+    for (int at = 0; at < now.Count; at += lanes)
+    {
+      const int count = std::min(lanes, now.Count - at);
+      const auto used = hn::FirstN(d, static_cast<std::size_t>(count));
+      EmissionPieces p;
+      p.First = hn::Load(d, now.First + at);
+      p.Last = hn::Load(d, now.Last + at);
+      p.Length = hn::Load(d, now.Length + at);
+      // Beyond the count there is what was there before.
+      const auto usedInt = hn::FirstN(di, static_cast<std::size_t>(count));
+      p.Piece = hn::IfThenElseZero(usedInt, hn::Load(di, now.Piece + at));
+      p.Fragment = hn::Load(di, now.Fragment + at);
+      ShadeVector color[4];
+      this->ShadePiece(p, used, next, color);
+      hn::StoreInterleaved4(color[0], color[1], color[2], color[3], d, colors[0]);
+      for (int k = 0; k < count; ++k)
+      {
+        float* target = q.Slots[ColorSlot(now.Fragment[at + k])];
+        for (int i = 0; i < 3; ++i)
+        {
+          target[i] += colors[k][i];
+        }
+      }
+    }
+  }
+
+  const LookUp Values{};
+  const EmissionTable& Table;
+  const RayLengths Lengths;
+  const float WeightScale, WeightOffset;
+};
+
+/// Fills the colours of the queue; returns the number of pieces.
+inline long long ShadeEmission(const EmissionTable& table, const TileView& view,
+  const TileRectangle& tile, TileFragments& fragments, TileRemainders (&remainders)[2])
+{
+  // One bound more than pieces is looked up.
+  if (table.NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat())))
+  {
+    return EmissionShader<RegisterLookUp>(table, view, tile).Shade(fragments, remainders);
+  }
+  return EmissionShader<MemoryLookUp>(table, view, tile).Shade(fragments, remainders);
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
