@@ -8,6 +8,8 @@
 namespace
 {
 constexpr int Done = -1;
+// The lowest bit of a set of faces.
+constexpr int FirstFace[16] = { 0, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0 };
 }
 
 //------------------------------------------------------------------------------
@@ -50,20 +52,17 @@ void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const 
   for (int i = 0; i < count; ++i)
   {
     const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(ids[i])];
-    const int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
+    const unsigned int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
     int* waiters = &this->Waiters[4 * static_cast<std::size_t>(i)];
     std::uint8_t found = 0;
-    for (int f = 0; f < 4; ++f)
+    for (unsigned int left = exits; left != 0; left &= left - 1)
     {
-      if (exits >> f & 1)
+      const int behind = neighbours[FirstFace[left]];
+      const int place = this->Place[behind];
+      if (place >= 0 && place < count && ids[place] == behind)
       {
-        const int behind = neighbours[f];
-        const int place = this->Place[behind];
-        if (place >= 0 && place < count && ids[place] == behind)
-        {
-          waiters[found++] = place;
-          ++this->Blockers[place];
-        }
+        waiters[found++] = place;
+        ++this->Blockers[place];
       }
     }
     this->NumberOfWaiters[i] = found;
