@@ -32,8 +32,8 @@ struct FaceLimits
   float Steep, SteepStep, Rounding, Scalar, Pixel, WeightScale, WeightOffset;
   float FarthestScreenDepth;
 
-  /// Of a coordinate of the screen, and of products of two, in their own units.
-  static constexpr double FloatRounding = 6e-8;
+  /// Half a step of a coordinate of the screen, and of products of two, in their own units.
+  static constexpr double FloatRounding = 3e-8;
   static constexpr double AreaRounding = 2e-7;
   /// What is let pass in a pixel's sum where a face's place is off by a rounding.
   static constexpr double StepError = 2e-5;
@@ -163,7 +163,7 @@ inline FaceMask IsTrusted(const FaceLanes& f, const FaceFunction& u, const FaceF
   good = hn::And(good, hn::Le(hn::Mul(rounded, f.Range(2)), hn::Mul(depthError, least)));
   good = hn::And(good, hn::Le(hn::Mul(rounded, f.Range(3)), hn::Mul(scalarError, least)));
   // The sign of both areas is beyond doubt, and the same but for warped faces.
-  const auto doubt = hn::MulAdd(hn::Set(d, 4.0f * limits.Pixel),
+  const auto doubt = hn::MulAdd(hn::Set(d, 8.0f * limits.Pixel),
     hn::Add(f.Range(0), f.Range(1)), rounded);
   good = hn::And(good, hn::Lt(doubt, least));
   const auto agree = hn::Ge(hn::Mul(f.Areas[0], f.Areas[1]), hn::Zero(d));

@@ -3,6 +3,7 @@
 #include "TransferFunction.h"
 
 #include <algorithm>
+#include <cmath>
 
 //------------------------------------------------------------------------------
 void EmissionTable::Build(const TransferFunction& function)
@@ -19,7 +20,7 @@ void EmissionTable::Build(const TransferFunction& function)
   this->Bounds.assign(size, 3e38f);
   std::copy(positions.begin(), positions.end(), this->Bounds.begin());
   this->Origins.assign(size, 0.0f);
-  this->GreatestEmission = 0.0f;
+  this->GreatestEmission = this->GreatestSlope = 0.0f;
   for (int piece = 0; piece < this->NumberOfPieces; ++piece)
   {
     // The first piece is constant and begins at the end of the world.
@@ -43,6 +44,9 @@ void EmissionTable::Build(const TransferFunction& function)
       this->C2[k][piece] = static_cast<float>(colorSlope * depthSlope);
       const float greatest = std::max(ends[k], ends[4 + k]) * std::max(ends[3], ends[7]);
       this->GreatestEmission = std::max(this->GreatestEmission, greatest);
+      const double atEnd = this->C1[k][piece] + 2.0 * this->C2[k][piece] * width;
+      this->GreatestSlope = std::max({ this->GreatestSlope, std::abs(this->C1[k][piece]),
+        width > 0.0 ? static_cast<float>(std::abs(atEnd)) : 0.0f });
     }
   }
 }

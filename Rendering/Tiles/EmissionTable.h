@@ -21,6 +21,8 @@ public:
   /** Steps of a binary search over all pieces. */
   int SearchSteps = 0;
   float GreatestEmission = 0.0f;
+  /** The steepest change of the emission with the scalar; steps do not count. */
+  float GreatestSlope = 0.0f;
 
   /** Piece i covers Bounds[i] to Bounds[i + 1]; beyond the last one there is 3e38. All arrays are
    *  padded, so that a whole vector can be read from their start. */

@@ -8,6 +8,8 @@ namespace
 {
 // Emission along the whole extent from which a float's step of it shows.
 constexpr double DenseMedium = 300.0;
+// What a scalar that is off may change along the whole extent; a cell is a part of it.
+constexpr double ScalarEffect = 2e-3;
 }
 
 //------------------------------------------------------------------------------
@@ -32,7 +34,10 @@ bool EmissionTilesEngine::Render(const ConvexTilesFrame::Scene& scene)
   }
   this->Table.Build(*scene.Function);
   ConvexTileFaces::Bounds bounds;
-  bounds.Density = std::max(this->Table.GreatestEmission * this->Frame.View.LengthOfExtent, 1e-30);
+  const double extent = this->Frame.View.LengthOfExtent;
+  bounds.Density = std::max(this->Table.GreatestEmission * extent, 1e-30);
+  const double scalar = ScalarEffect / std::max(this->Table.GreatestSlope * extent, 1e-30);
+  bounds.ScalarError = std::min(std::max(scalar, 1e-6), 1e-4);
   this->Frame.SetCells(scene, bounds, bounds.Density > DenseMedium);
   this->Image.resize(4 * static_cast<std::size_t>(scene.Camera.Width) * scene.Camera.Height);
   this->Frame.Task.Common.Image = this->Image.data();
