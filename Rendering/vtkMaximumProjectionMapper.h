@@ -10,9 +10,10 @@
  * @brief The greatest, or least, scalar along each ray, from convex cells as they are.
  *
  * Paper: Roettger and Ertl, "Cell projection of convex polyhedra", 2003, section 2. A scalar that
- * is linear along a ray's way through a cell is greatest at one of its ends: every face is drawn
- * once, cells are not cut into tetrahedra and nothing is sorted. Where the near, the far, a
- * clipping plane or opaque geometry cuts a cell, the cell itself is drawn besides.
+ * is linear along a ray's way through a cell is greatest at one of its ends: cells are not cut into
+ * tetrahedra and nothing is sorted. Raster draws every face once, and where the near, the far, a
+ * clipping plane or opaque geometry cuts a cell, the cell itself besides; Tiles draw cells from the
+ * greatest scalar down and leave out those that cannot change a pixel.
  *
  * A pixel is the colour of the extremum times its scalar opacity, its alpha that opacity:
  * ScalarOpacityUnitDistance plays no role. The scalar is linear on each triangle of a face (faces

@@ -47,7 +47,8 @@ public:
 
   ///@{
   /**
-   * How often a cell is drawn. One is exact and faster; Three is the paper's. Default: One.
+   * How often a cell is drawn. One is exact and faster; Three is the paper's, by Raster alone.
+   * Default: One.
    */
   virtual void SetPasses(int passes);
   vtkGetMacro(Passes, int);
@@ -58,7 +59,8 @@ public:
   ///@{
   /**
    * Take the mean of the emission at entry and exit, as the paper does, instead of the integral:
-   * right where the transfer function is linear between them. Three passes always do. Default: off.
+   * right where the transfer function is linear between them. Three passes always do. By Raster
+   * alone. Default: off.
    */
   vtkSetMacro(AverageEmission, bool);
   vtkGetMacro(AverageEmission, bool);
