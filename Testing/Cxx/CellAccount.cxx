@@ -1,11 +1,11 @@
 #include "CellAccount.h"
 
 #include "CellZoo.h"
+#include "ConvexCellCounts.h"
 #include "ConvexCellsTesting.h"
 
 #include "vtkCellArray.h"
 #include "vtkCellData.h"
-#include "vtkCellTypes.h"
 #include "vtkIdTypeArray.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
@@ -281,7 +281,7 @@ std::string CellAccount::CheckReport(
     out += report->GetValueByName(row, "out").ToLongLong();
     for (std::size_t cell = 0; cell < this->Entries.size(); ++cell)
     {
-      const std::string name = vtkCellTypes::GetClassNameFromTypeId(this->Entries[cell].Type);
+      const std::string name = NameOfCellType(this->Entries[cell].Type);
       const std::string fault = name == type
         ? this->CheckEntry(this->Entries[cell], report->GetValueByName(row, "why").ToString(),
             volumes[cell], tetrahedraOnly)
