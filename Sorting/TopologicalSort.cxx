@@ -3,30 +3,32 @@
 namespace TopologicalSort
 {
 //------------------------------------------------------------------------------
-int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
-  CellStack& stack, int numberOfMeshCells, int* ordered, int step)
+vtkIdType* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists, CellStack& stack,
+  const OrderEnd& order)
 {
   // Plain pointers: this loop is most of the time that a frame takes.
   int* const bottom = stack.Cells.data();
   int* top = bottom + stack.Size;
   WaitingCell* all = cells.data();
+  const OrderEnd end = order;
+  vtkIdType* ordered = end.Next;
   while (top != bottom)
   {
     const int cell = *--top;
-    if (cell < numberOfMeshCells)
+    if (cell < end.NumberOfMeshCells)
     {
-      *ordered = cell;
-      ordered += step;
+      *ordered = end.InputIds[cell];
+      ordered += end.Step;
     }
     const WaitingCell& own = all[cell];
     const int* next = own.Next;
-    const int* end = next + own.State();
+    const int* last = next + own.State();
     if (own.State() == WaitingCell::LongList)
     {
       next = longLists.data() + own.Next[0];
-      end = longLists.data() + own.Next[1];
+      last = longLists.data() + own.Next[1];
     }
-    for (; next != end; ++next)
+    for (; next != last; ++next)
     {
       if ((all[*next].State() -= WaitingCell::Unit) < WaitingCell::Unit)
       {

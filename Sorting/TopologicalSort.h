@@ -5,6 +5,8 @@
 #ifndef TopologicalSort_h
 #define TopologicalSort_h
 
+#include "vtkType.h"
+
 #include <vector>
 
 /** What the sort touches of a cell, in a quarter of a line of the cache. */
@@ -34,13 +36,22 @@ struct CellStack
   void Push(int cell) { this->Cells[this->Size++] = cell; }
 };
 
+/** One end of the order, and where it grows to. */
+struct OrderEnd
+{
+  /** The id by which a cell stands in the order, of the cells of the mesh; others are left out. */
+  const int* InputIds;
+  int NumberOfMeshCells;
+  vtkIdType* Next;
+  int Step;
+};
+
 namespace TopologicalSort
 {
-/** Takes cells off `stack` and puts those released on it, until it is empty. Cells below
- *  `numberOfMeshCells` go to `ordered` and on in steps of `step`; returns where the next one would
- *  go. What waits for a circle stays out. */
-int* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists,
-  CellStack& stack, int numberOfMeshCells, int* ordered, int step);
+/** Takes cells off `stack` and puts those released on it, until it is empty. Returns where the next
+ *  cell would go. What waits for a circle stays out. */
+vtkIdType* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longLists, CellStack& stack,
+  const OrderEnd& order);
 }
 
 #endif

@@ -15,8 +15,9 @@ constexpr vtkIdType BlockSize = 8192;
 
 //------------------------------------------------------------------------------
 void TwoEndedSort::Build(const SignedLinks& links, const std::vector<double>& centers,
-  const double center[3], int numberOfMeshCells)
+  const double center[3], const std::vector<int>& inputIds, int numberOfMeshCells)
 {
+  this->InputIds = &inputIds;
   this->Links = &links;
   this->Centers = &centers;
   std::copy_n(center, 3, this->Center);
@@ -165,10 +166,10 @@ void TwoEndedSort::SortHalf(bool far, const double eye[4], bool centersFirst)
     std::sort(stack.Cells.begin(), stack.Cells.begin() + stack.Size,
       [&](int a, int b) { return this->GetDistance(a, eye) < this->GetDistance(b, eye); });
   }
-  int* const begin = this->Order.data();
-  int* const from = far ? begin : begin + this->NumberOfMeshCells - 1;
-  int* const to = TopologicalSort::Run(
-    this->Cells, this->LongLists, stack, this->NumberOfMeshCells, from, far ? 1 : -1);
+  vtkIdType* const begin = this->Order.data();
+  vtkIdType* const from = far ? begin : begin + this->NumberOfMeshCells - 1;
+  vtkIdType* const to = TopologicalSort::Run(this->Cells, this->LongLists, stack,
+    { this->InputIds->data(), this->NumberOfMeshCells, from, far ? 1 : -1 });
   (far ? this->NumberOrdered : this->NearBegin) = static_cast<int>(to - begin) + (far ? 0 : 1);
 }
 
@@ -235,8 +236,9 @@ void TwoEndedSort::SortRest()
 //------------------------------------------------------------------------------
 void TwoEndedSort::SortOn()
 {
-  const int* end = TopologicalSort::Run(this->Cells, this->LongLists, this->Stack,
-    this->NumberOfMeshCells, this->Order.data() + this->NumberOrdered, 1);
+  vtkIdType* const next = this->Order.data() + this->NumberOrdered;
+  const vtkIdType* end = TopologicalSort::Run(this->Cells, this->LongLists, this->Stack,
+    { this->InputIds->data(), this->NumberOfMeshCells, next, 1 });
   this->NumberOrdered = static_cast<int>(end - this->Order.data());
 }
 

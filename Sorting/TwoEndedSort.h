@@ -17,15 +17,17 @@
 #include "SightHalves.h"
 #include "SignedLinks.h"
 #include "TopologicalSort.h"
+#include "vtkType.h"
 
 #include <vector>
 
 class TwoEndedSort
 {
 public:
-  /** Both must stay as they are. `centers`: three per cell; `center`: of the mesh. */
+  /** All must stay as they are. `centers`: three per cell; `center`: of the mesh; `inputIds`: by
+   *  which cells stand in the order. */
   void Build(const SignedLinks& links, const std::vector<double>& centers, const double center[3],
-    int numberOfMeshCells);
+    const std::vector<int>& inputIds, int numberOfMeshCells);
 
   /** For the signs as they are. `centersFirst`: from the farthest end alone, cells that nothing
    *  tells apart from the farthest centre on. */
@@ -36,15 +38,15 @@ public:
   bool IsWaiting(int cell) const { return this->Cells[cell].IsWaiting(); }
 
   /** Puts a cell of the mesh next into the order. */
-  void Append(int cell) { this->Order[this->NumberOrdered++] = cell; }
+  void Append(int cell) { this->Order[this->NumberOrdered++] = (*this->InputIds)[cell]; }
   /** Takes all cells of a circle for ordered, and sorts on. */
   void Release(const std::vector<int>& circle);
 
   /** Of a cell from the eye; its square for a point, to compare. */
   double GetDistance(int cell, const double eye[4]) const;
 
-  /** The cells of the mesh, farthest first. */
-  const std::vector<int>& GetOrder() const { return this->Order; }
+  /** Input ids of the cells of the mesh, farthest first. */
+  const std::vector<vtkIdType>& GetOrder() const { return this->Order; }
 
 private:
   /** What a thread finds in a run of cells. */
@@ -73,6 +75,7 @@ private:
   const SignedLinks* Links = nullptr;
   const std::vector<double>* Centers = nullptr;
   double Center[3] = { 0.0, 0.0, 0.0 };
+  const std::vector<int>* InputIds = nullptr;
   int NumberOfMeshCells = 0;
   SightHalves Sight;
 
@@ -88,7 +91,7 @@ private:
   CellStack Stack;
   CellStack NearStack;
   // Filled from both ends: what is between NumberOrdered and NearBegin is still to come.
-  std::vector<int> Order;
+  std::vector<vtkIdType> Order;
   int NumberOrdered = 0;
   int NearBegin = 0;
 };

@@ -5,7 +5,6 @@
 #include "GroupOrder.h"
 #include "ImaginaryCenters.h"
 #include "MortonOrder.h"
-#include "vtkSMPTools.h"
 
 #include <algorithm>
 #include <numeric>
@@ -31,7 +30,8 @@ void VisibilityGraph::Build(const CellComplex& complex, const ImaginaryCells* im
   {
     box.GetCenter(center);
   }
-  this->CellSort.Build(this->Links, this->Centers, center, this->NumberOfMeshCells);
+  this->CellSort.Build(
+    this->Links, this->Centers, center, this->InputId, this->NumberOfMeshCells);
   this->Links.Signs.Build(
     complex.Points, this->Contacts, center, box.IsValid() ? box.GetDiagonalLength() : 0.0);
   this->Sorted = false;
@@ -101,23 +101,7 @@ bool VisibilityGraph::Sort(const double eye[4], bool centersFirst)
   {
     this->SortGroups(eye);
   }
-  this->TakeInputIds();
   return true;
-}
-
-//------------------------------------------------------------------------------
-void VisibilityGraph::TakeInputIds()
-{
-  const std::vector<int>& order = this->CellSort.GetOrder();
-  this->Order.resize(order.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Order.size()),
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      for (vtkIdType i = begin; i < end; ++i)
-      {
-        this->Order[i] = this->InputId[order[i]];
-      }
-    });
 }
 
 //------------------------------------------------------------------------------

@@ -41,7 +41,7 @@ public:
   bool Sort(const double eye[4], bool centersFirst);
 
   /** Ids of the complex's cells, farthest first; imaginary cells are not among them. */
-  const std::vector<vtkIdType>& GetOrder() const { return this->Order; }
+  const std::vector<vtkIdType>& GetOrder() const { return this->CellSort.GetOrder(); }
 
   /** Groups that no order satisfies: cells one after the other, and where each group begins, and
    *  the end. Farthest group first. */
@@ -57,7 +57,6 @@ private:
     const std::vector<int>& group, const std::unordered_map<int, int>& placeOf) const;
   std::vector<std::pair<int, int>> FindGapRelations(
     const std::unordered_map<int, int>& placeOf, const double eye[4]) const;
-  void TakeInputIds();
   bool IsMeshCell(int cell) const { return cell < this->NumberOfMeshCells; }
 
   const std::vector<double>* Points = nullptr;
@@ -73,7 +72,6 @@ private:
   bool Sorted = false;
   bool SortedByCenters = false;
 
-  std::vector<vtkIdType> Order;
   std::vector<vtkIdType> GroupCells;
   std::vector<vtkIdType> GroupOffsets;
 };
