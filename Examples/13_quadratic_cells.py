@@ -22,7 +22,8 @@ for side, mesh, left in ((renderer, linear, 0.0), (right, quadratic, 0.5)):
     # Of the size of the mesh and of the range of its scalar; only what is curved is cut.
     mapper.SetTolerance(2e-3)
     scene.add_volume(side, mapper, mesh, scene.make_property((0.0, 1.0), mesh.GetLength(), NODES))
-    side.AddActor(scene.make_outline(mesh))
+    # On both sides the edges between the corners, which the quadratic cells leave.
+    side.AddActor(scene.make_outline(linear))
     scene.look_at(side, quadratic.GetBounds(), (0.0, -1.0, 1.4), 1.25)
 window.Render()
 for side in (renderer, right):
