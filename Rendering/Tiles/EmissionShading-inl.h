@@ -15,13 +15,13 @@
 #include "EmissionTable.h"
 #include "TileColors-inl.h"
 #include "TileFragments.h"
+#include "TilePieces-inl.h"
 #include "TileShading-inl.h"
 #include "TileView.h"
 
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -52,34 +52,13 @@ public:
   /// Fills the colours; returns how many pieces there were.
   long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
-    long long pieces = fragments.Count;
-    TileRemainders* now = &remainders[0];
-    TileRemainders* next = &remainders[1];
-    now->Count = 0;
-    this->ShadeFirstPieces(fragments, *now);
-    for (; now->Count > 0; std::swap(now, next))
-    {
-      pieces += now->Count;
-      next->Count = 0;
-      this->ShadeRemainders(fragments, *now, *next);
-    }
-    return pieces;
+    return ShadeInPasses(
+      fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
+      [&](int, const TileRemainders& now, TileRemainders& next)
+      { this->ShadeRemainders(fragments, now, next); });
   }
 
 private:
-  HWY_INLINE ShadeIndex FindPiece(ShadeVector scalar) const
-  {
-    const ShadeInt di;
-    auto piece = hn::Zero(di);
-    for (int bit = 1 << this->Table.SearchSteps >> 1; bit != 0; bit >>= 1)
-    {
-      const auto higher = hn::Or(piece, hn::Set(di, bit));
-      const auto reached = hn::Le(this->Values(this->Table.Bounds.data(), higher), scalar);
-      piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
-    }
-    return piece;
-  }
-
   HWY_INLINE void ShadePiece(
     const EmissionPieces& p, ShadeMask used, TileRemainders& rest, ShadeVector (&color)[4]) const
   {
@@ -138,16 +117,12 @@ private:
     const auto scale = hn::Set(d, this->WeightScale), offset = hn::Set(d, this->WeightOffset);
     for (int at = 0; at < q.Count; at += lanes)
     {
-      const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
-      const auto weightIn = hn::MulAdd(scale, entry, offset);
-      const auto weightOut = hn::NegMulAdd(scale, extent, weightIn);
-      const auto inverse = Reciprocal(d, hn::Mul(weightIn, weightOut));
+      const FragmentEnds ends(q, at, scale, offset);
       EmissionPieces p;
-      const auto perDepth = this->Lengths.At(hn::Load(di, q.Pixel + at));
-      p.Length = hn::Mul(hn::Mul(extent, inverse), perDepth);
-      p.First = hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), weightOut), inverse);
-      p.Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), weightIn), inverse);
-      p.Piece = this->FindPiece(p.First);
+      p.Length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
+      p.First = ends.First;
+      p.Last = ends.Last;
+      p.Piece = PieceOf(this->Values, this->Table, p.First);
       p.Fragment = hn::Iota(di, at);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
@@ -161,7 +136,6 @@ private:
     const ShadeFloat d;
     const ShadeInt di;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    HWY_ALIGN float colors[16][4];
     for (int at = 0; at < now.Count; at += lanes)
     {
       const int count = std::min(lanes, now.Count - at);
@@ -176,15 +150,7 @@ private:
       p.Fragment = hn::Load(di, now.Fragment + at);
       ShadeVector color[4];
       this->ShadePiece(p, used, next, color);
-      hn::StoreInterleaved4(color[0], color[1], color[2], color[3], d, colors[0]);
-      for (int k = 0; k < count; ++k)
-      {
-        float* target = q.Slots[ColorSlot(now.Fragment[at + k])];
-        for (int i = 0; i < 3; ++i)
-        {
-          target[i] += colors[k][i];
-        }
-      }
+      AddColors(color, now.Fragment + at, count, q);
     }
   }
 

@@ -17,7 +17,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -48,18 +47,10 @@ public:
 
   long long Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
   {
-    long long pieces = fragments.Count;
-    TileLitPieces* now = &remainders[0];
-    TileLitPieces* next = &remainders[1];
-    now->Count = 0;
-    this->ShadeFirstPieces(fragments, *now);
-    for (int pass = 1; now->Count > 0; ++pass, std::swap(now, next))
-    {
-      pieces += now->Count;
-      next->Count = 0;
-      this->ShadeRemainders(fragments, pass, *now, *next);
-    }
-    return pieces;
+    return ShadeInPasses(
+      fragments.Count, remainders, [&](TileLitPieces& rest) { this->ShadeFirstPieces(fragments, rest); },
+      [&](int pass, const TileLitPieces& now, TileLitPieces& next)
+      { this->ShadeRemainders(fragments, pass, now, next); });
   }
 
 private:
@@ -329,17 +320,15 @@ private:
     const auto perWeight = hn::Set(d, static_cast<float>(-1.0 / this->Task.View->WeightOffset));
     for (int at = 0; at < q.Count; at += lanes)
     {
-      const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
-      const auto weightIn = hn::MulAdd(scale, entry, offset);
-      const auto weightOut = hn::NegMulAdd(scale, extent, weightIn);
-      const auto inverse = Reciprocal(d, hn::Mul(weightIn, weightOut));
+      const FragmentEnds ends(q, at, scale, offset);
       LitPieces p;
       p.Pixel = hn::Load(di, q.Pixel + at);
-      p.DepthRise = hn::Mul(extent, inverse);
-      p.Depth = hn::Mul(hn::Mul(entry, perWeight), hn::Mul(weightOut, inverse));
+      p.DepthRise = ends.Depth;
+      p.Depth =
+        hn::Mul(hn::Mul(ends.Entry, perWeight), hn::Mul(ends.WeightOut, ends.Inverse));
       p.Length = hn::Mul(p.DepthRise, this->Lengths.At(p.Pixel));
-      p.First = hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), weightOut), inverse);
-      p.Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), weightIn), inverse);
+      p.First = ends.First;
+      p.Last = ends.Last;
       p.Through = hn::Set(d, 1.0f);
       p.Piece = PieceOf(this->Values, this->Transfer, p.First);
       p.Fragment = hn::Iota(di, at);
@@ -356,7 +345,6 @@ private:
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    HWY_ALIGN float colors[16][4];
     for (int at = 0; at < now.Count; at += lanes)
     {
       const int count = std::min(lanes, now.Count - at);
@@ -368,15 +356,7 @@ private:
       {
         component = hn::Mul(component, p.Through);
       }
-      hn::StoreInterleaved4(color[0], color[1], color[2], color[3], d, colors[0]);
-      for (int k = 0; k < count; ++k)
-      {
-        float* target = q.Slots[ColorSlot(now.Fragment[at + k])];
-        for (int i = 0; i < 4; ++i)
-        {
-          target[i] += colors[k][i];
-        }
-      }
+      AddColors(color, now.Fragment + at, count, q);
     }
   }
 

@@ -163,22 +163,6 @@ struct FieldRows
   }
 };
 
-/// The piece of a transfer function that a scalar lies in.
-template <class LookUp>
-HWY_INLINE ShadeIndex PieceOf(
-  const LookUp& values, const TileTransfer& transfer, ShadeVector scalar)
-{
-  const ShadeInt di;
-  auto piece = hn::Zero(di);
-  for (int bit = 1 << transfer.SearchSteps >> 1; bit != 0; bit >>= 1)
-  {
-    const auto higher = hn::Or(piece, hn::Set(di, bit));
-    const auto reached = hn::Le(values(transfer.Bounds.data(), higher), scalar);
-    piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
-  }
-  return piece;
-}
-
 /// Channel k of a transfer function.
 template <class LookUp>
 HWY_INLINE ShadeVector ValueOf(const LookUp& values, const TileTransfer& transfer, int k,

@@ -69,6 +69,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileMesh.h
   Rendering/Tiles/TileNeighbours.h
   Rendering/Tiles/TileOrder.h
+  Rendering/Tiles/TilePieces-inl.h
   Rendering/Tiles/TileProjection.h
   Rendering/Tiles/TileRecords-inl.h
   Rendering/Tiles/TileRepair.h

@@ -1,0 +1,107 @@
+/**
+ * What every shading of fragments by pieces shares: the first piece of every fragment is shaded
+ * straight through, what is left of those that are cut waits in a queue, pass after pass.
+ */
+#if defined(TilePieces_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TilePieces_inl_h
+#undef TilePieces_inl_h
+#else
+#define TilePieces_inl_h
+#endif
+
+#include "TileColors-inl.h"
+#include "TileFragments.h"
+#include "TileMath-inl.h"
+
+#include <hwy/highway.h>
+
+#include <utility>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using ShadeFloat = ColorFloat;
+using ShadeInt = hn::RebindToSigned<ShadeFloat>;
+using ShadeVector = hn::Vec<ShadeFloat>;
+using ShadeIndex = hn::Vec<ShadeInt>;
+using ShadeMask = hn::Mask<ShadeFloat>;
+
+/// The piece of a table (TileTransfer, EmissionTable) that a scalar lies in.
+template <class LookUp, class Table>
+HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVector scalar)
+{
+  const ShadeInt di;
+  auto piece = hn::Zero(di);
+  for (int bit = 1 << table.SearchSteps >> 1; bit != 0; bit >>= 1)
+  {
+    const auto higher = hn::Or(piece, hn::Set(di, bit));
+    const auto reached = hn::Le(values(table.Bounds.data(), higher), scalar);
+    piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
+  }
+  return piece;
+}
+
+/// A vector of fragments in depth and scalar, which are not linear on the screen.
+struct FragmentEnds
+{
+  ShadeVector Entry, WeightOut, Inverse; // Inverse: of both weights' product
+  ShadeVector Depth, First, Last;        // Depth: from entry to exit
+
+  HWY_INLINE FragmentEnds(const TileFragments& q, int at, ShadeVector scale, ShadeVector offset)
+  {
+    const ShadeFloat d;
+    this->Entry = hn::Load(d, q.Entry + at);
+    const auto extent = hn::Load(d, q.Extent + at);
+    const auto weightIn = hn::MulAdd(scale, this->Entry, offset);
+    this->WeightOut = hn::NegMulAdd(scale, extent, weightIn);
+    this->Inverse = Reciprocal(d, hn::Mul(weightIn, this->WeightOut));
+    this->Depth = hn::Mul(extent, this->Inverse);
+    this->First =
+      hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), this->WeightOut), this->Inverse);
+    this->Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), weightIn), this->Inverse);
+  }
+};
+
+/// Adds the colours of `count` pieces to those of the fragments that they are left of.
+HWY_INLINE void AddColors(
+  const ShadeVector (&color)[4], const int* fragments, int count, TileFragments& q)
+{
+  HWY_ALIGN float colors[16][4];
+  hn::StoreInterleaved4(color[0], color[1], color[2], color[3], ShadeFloat(), colors[0]);
+  for (int k = 0; k < count; ++k)
+  {
+    float* target = q.Slots[ColorSlot(fragments[k])];
+    for (int i = 0; i < 4; ++i)
+    {
+      target[i] += colors[k][i];
+    }
+  }
+}
+
+/// `first(rest)` shades the first pieces of `count` fragments, `others(pass, now, next)` those that
+/// wait; returns how many pieces there were.
+template <class Queue, class First, class Others>
+long long ShadeInPasses(int count, Queue (&queues)[2], const First& first, const Others& others)
+{
+  long long pieces = count;
+  Queue* now = &queues[0];
+  Queue* next = &queues[1];
+  now->Count = 0;
+  first(*now);
+  for (int pass = 1; now->Count > 0; ++pass, std::swap(now, next))
+  {
+    pieces += now->Count;
+    next->Count = 0;
+    others(pass, *now, *next);
+  }
+  return pieces;
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
