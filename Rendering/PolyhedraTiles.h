@@ -6,7 +6,6 @@
 #include "Tiles/ConvexTilesFrame.h"
 #include "vtkTimeStamp.h"
 
-#include <string>
 
 struct CellProjectionFrame;
 
@@ -17,8 +16,6 @@ struct CellProjectionFrame;
 class PolyhedraTiles
 {
 public:
-  /// What keeps the engines from drawing this frame, whatever the mapper; empty where nothing does.
-  static std::string FindObstacle(const CellProjectionFrame& frame);
   static ConvexTilesFrame::Scene DescribeScene(
     const CellProjectionFrame& frame, const PreparedVolume& prepared);
 

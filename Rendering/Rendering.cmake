@@ -84,6 +84,7 @@ list(APPEND sources
   Rendering/TetrahedronParts.cxx
   Rendering/TextureBuffer.cxx
   Rendering/ThreePassRaster.cxx
+  Rendering/TilesFrame.cxx
   Rendering/TransferFunction.cxx
   Rendering/TurnedCells.cxx
   Rendering/UniformThicknessApproximation.cxx
@@ -180,6 +181,7 @@ list(APPEND private_headers
   Rendering/TetrahedronParts.h
   Rendering/TextureBuffer.h
   Rendering/ThreePassRaster.h
+  Rendering/TilesFrame.h
   Rendering/TransferFunction.h
   Rendering/TurnedCells.h
   Rendering/UniformThicknessApproximation.h

@@ -4,19 +4,10 @@
 #include "CellProjectionFrame.h"
 #include "PreparedVolume.h"
 #include "TetrahedraSelection.h"
+#include "TilesFrame.h"
 #include "VolumeShading.h"
 
 #include <algorithm>
-
-//------------------------------------------------------------------------------
-std::string TetrahedraTiles::FindObstacle(const CellProjectionFrame& frame)
-{
-  if (std::max(frame.Size[0], frame.Size[1]) > TileSize::LargestImage)
-  {
-    return "viewports of more than " + std::to_string(TileSize::LargestImage) + " pixels";
-  }
-  return "";
-}
 
 //------------------------------------------------------------------------------
 void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
@@ -76,11 +67,7 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   const VolumeShading& shading, const BackToFrontOrder* order)
 {
   TilesEngine::Scene scene;
-  scene.Camera.MeshToView = frame.Rays.MeshToView;
-  scene.Camera.ViewToClip = frame.Rays.ViewToClip;
-  scene.Camera.ViewToWorld = frame.Rays.ViewToWorld;
-  scene.Camera.Width = frame.Size[0];
-  scene.Camera.Height = frame.Size[1];
+  scene.Camera = TilesFrame::GetCamera(frame);
   scene.Function = &prepared.Function;
   scene.Shading = &shading;
   scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();

@@ -4,7 +4,6 @@
 #include "Tiles/TilesEngine.h"
 #include "vtkTimeStamp.h"
 
-#include <string>
 #include <vector>
 
 class BackToFrontOrder;
@@ -21,9 +20,6 @@ struct PreparedVolume;
 class TetrahedraTiles
 {
 public:
-  /// What keeps the engine from drawing this frame, whatever the mapper; empty where nothing does.
-  static std::string FindObstacle(const CellProjectionFrame& frame);
-
   /// Takes cells, scalars and the cells worth drawing where they are newer than what it has.
   void Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
     const vtkTimeStamp& selectionTime);

@@ -8,6 +8,7 @@
 #include "PreparedPolyhedra.h"
 #include "PreparedVolume.h"
 #include "Tiles/ExtremumTilesEngine.h"
+#include "TilesFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -83,7 +84,7 @@ void vtkMaximumProjectionMapper::SortCells(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 std::string vtkMaximumProjectionMapper::FindTilesObstacle(const CellProjectionFrame& frame) const
 {
-  return PolyhedraTiles::FindObstacle(frame);
+  return TilesFrame::FindObstacle(frame);
 }
 
 //------------------------------------------------------------------------------

@@ -12,9 +12,9 @@
 #include "TetrahedraRaster.h"
 #include "TetrahedraSelection.h"
 #include "TetrahedraTiles.h"
+#include "TilesFrame.h"
 #include "VolumeShading.h"
 #include "vtkObjectFactory.h"
-#include "vtkOpenGLRenderWindow.h"
 #include "vtkSmartPointer.h"
 #include "vtkTimeStamp.h"
 #include "vtkUnstructuredGrid.h"
@@ -330,7 +330,7 @@ std::string vtkPreIntegratedTetrahedraMapper::FindTilesObstacle(
   const CellProjectionFrame& frame) const
 {
   const bool isExact = this->Integration == EXACT && this->Approximation == NONE;
-  return isExact ? TetrahedraTiles::FindObstacle(frame) : "by table, average or approximation";
+  return isExact ? TilesFrame::FindObstacle(frame) : "by table, average or approximation";
 }
 
 //------------------------------------------------------------------------------

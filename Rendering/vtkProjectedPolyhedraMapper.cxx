@@ -7,6 +7,7 @@
 #include "PreparedVolume.h"
 #include "ThreePassRaster.h"
 #include "Tiles/EmissionTilesEngine.h"
+#include "TilesFrame.h"
 #include "vtkObjectFactory.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkTimeStamp.h"
@@ -79,7 +80,7 @@ std::string vtkProjectedPolyhedraMapper::FindTilesObstacle(const CellProjectionF
 {
   return this->Passes == THREE  ? "three passes"
          : this->AverageEmission ? "the mean emission of both ends"
-                                 : PolyhedraTiles::FindObstacle(frame);
+                                 : TilesFrame::FindObstacle(frame);
 }
 
 //------------------------------------------------------------------------------

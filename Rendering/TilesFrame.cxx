@@ -1,0 +1,28 @@
+#include "TilesFrame.h"
+
+#include "CellProjectionFrame.h"
+#include "TileCells.h"
+
+#include <algorithm>
+
+//------------------------------------------------------------------------------
+std::string TilesFrame::FindObstacle(const CellProjectionFrame& frame)
+{
+  if (std::max(frame.Size[0], frame.Size[1]) > TileSize::LargestImage)
+  {
+    return "viewports of more than " + std::to_string(TileSize::LargestImage) + " pixels";
+  }
+  return "";
+}
+
+//------------------------------------------------------------------------------
+TileView::Camera TilesFrame::GetCamera(const CellProjectionFrame& frame)
+{
+  TileView::Camera camera;
+  camera.MeshToView = frame.Rays.MeshToView;
+  camera.ViewToClip = frame.Rays.ViewToClip;
+  camera.ViewToWorld = frame.Rays.ViewToWorld;
+  camera.Width = frame.Size[0];
+  camera.Height = frame.Size[1];
+  return camera;
+}
