@@ -4,13 +4,13 @@
 #include "CellSpoiler.h"
 #include "CellZoo.h"
 #include "ConvexCellsTesting.h"
+#include "SeedRuns.h"
 
 #include "vtkCellArray.h"
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
 
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <sstream>
 
@@ -153,16 +153,5 @@ std::string CellFuzz::FindFault(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------
 int CellFuzz::CountFailures(unsigned int first, unsigned int count, double seconds)
 {
-  const auto begin = std::chrono::steady_clock::now();
-  auto elapsed = [&]
-  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-  int failures = 0;
-  unsigned int seed = first;
-  for (; seed < first + count && elapsed() < seconds && failures < 10; ++seed)
-  {
-    failures += ReportFailures(seed) ? 1 : 0;
-  }
-  std::cout << seed - first << " of " << count << " meshes in " << elapsed() << " s, " << failures
-            << " failed\n";
-  return failures;
+  return SeedRuns::CountFailures(first, count, seconds, ReportFailures);
 }

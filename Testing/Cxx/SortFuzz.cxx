@@ -1,6 +1,7 @@
 #include "SortFuzz.h"
 
 #include "ProvenSortCheck.h"
+#include "SeedRuns.h"
 #include "SortMeshes.h"
 #include "vtkDelaunay3D.h"
 #include "vtkIdList.h"
@@ -10,7 +11,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <iostream>
 #include <random>
@@ -161,16 +161,5 @@ std::string SortFuzz::Print(vtkUnstructuredGrid* grid)
 //------------------------------------------------------------------------------
 int SortFuzz::CountFailures(unsigned int first, unsigned int count, double seconds)
 {
-  const auto begin = std::chrono::steady_clock::now();
-  auto elapsed = [&]
-  { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
-  int failures = 0;
-  unsigned int seed = first;
-  for (; seed < first + count && elapsed() < seconds && failures < 10; ++seed)
-  {
-    failures += ReportFailures(seed) ? 1 : 0;
-  }
-  std::cout << seed - first << " of " << count << " meshes in " << elapsed() << " s, " << failures
-            << " failed\n";
-  return failures;
+  return SeedRuns::CountFailures(first, count, seconds, ReportFailures);
 }
