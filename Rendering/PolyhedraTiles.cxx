@@ -12,5 +12,6 @@ ConvexTilesFrame::Scene PolyhedraTiles::DescribeScene(
   scene.Function = &prepared.Function;
   scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
   scene.ClippingPlanes = frame.ClippingPlanes;
+  scene.IsAborted = TilesFrame::GetAbortCheck(frame);
   return scene;
 }

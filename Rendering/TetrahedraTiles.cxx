@@ -72,6 +72,7 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   scene.Shading = &shading;
   scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
   scene.ClippingPlanes = frame.ClippingPlanes;
+  scene.IsAborted = TilesFrame::GetAbortCheck(frame);
   scene.BackToFront = order ? &order->Cells : nullptr;
   if (!this->Engine.Render(scene))
   {

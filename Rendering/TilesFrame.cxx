@@ -2,6 +2,7 @@
 
 #include "CellProjectionFrame.h"
 #include "TileCells.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <algorithm>
 
@@ -25,4 +26,11 @@ TileView::Camera TilesFrame::GetCamera(const CellProjectionFrame& frame)
   camera.Width = frame.Size[0];
   camera.Height = frame.Size[1];
   return camera;
+}
+
+//------------------------------------------------------------------------------
+TileLoop::AbortCheck TilesFrame::GetAbortCheck(const CellProjectionFrame& frame)
+{
+  vtkOpenGLRenderWindow* window = frame.Window;
+  return [window] { return window->CheckAbortStatus() != 0; };
 }

@@ -4,6 +4,7 @@
 #ifndef TilesFrame_h
 #define TilesFrame_h
 
+#include "TileLoop.h"
 #include "TileView.h"
 
 #include <string>
@@ -15,6 +16,8 @@ namespace TilesFrame
 /** What keeps the engines from drawing this frame, whatever the mapper; empty where nothing does. */
 std::string FindObstacle(const CellProjectionFrame& frame);
 TileView::Camera GetCamera(const CellProjectionFrame& frame);
+/** Asks the frame's window, which must outlive it. */
+TileLoop::AbortCheck GetAbortCheck(const CellProjectionFrame& frame);
 }
 
 #endif

@@ -220,7 +220,10 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
   if (frame.UsesTiles)
   {
     this->Internal->Depth.Read(frame.OpaqueDepths);
-    return this->Internal->Target.Upload(frame.Window, frame.Size, this->DrawTiles(frame));
+    const bool isDrawn =
+      this->Internal->Target.Upload(frame.Window, frame.Size, this->DrawTiles(frame));
+    frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;
+    return isDrawn;
   }
   const PremultipliedBlending blending(frame.Window->GetState());
   if (!this->Internal->Target.Begin(frame.Window, frame.Size[0], frame.Size[1]))

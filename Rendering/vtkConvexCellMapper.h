@@ -31,6 +31,9 @@ struct PreparedVolume;
  * selection pass nothing is drawn. Several volumes are drawn one after the other: where they
  * overlap, the order of their cells is not that of the depths.
  *
+ * Tiles ask the window's CheckAbortStatus while they draw, at least once per row of tiles: a frame
+ * that is given up leaves no trace of the volume, in the window or in the frames after it.
+ *
  * What is asked for and not drawn is named by one warning, bad input by one error or warning that
  * counts the offenders; the rest is drawn. A message comes again when it changes.
  *

@@ -1,10 +1,6 @@
 #include "ConvexTilesFrame.h"
 
-#include "vtkSMPTools.h"
-
 #include <algorithm>
-#include <memory>
-#include <utility>
 
 //------------------------------------------------------------------------------
 void ConvexTilesFrame::SetMesh(const std::vector<float>& points, const ConvexCellFaces& cells,
@@ -88,17 +84,11 @@ TileRectangle ConvexTilesFrame::RectangleOf(int tile) const
 }
 
 //------------------------------------------------------------------------------
-void ConvexTilesFrame::Draw(const Drawer& draw)
+bool ConvexTilesFrame::Draw(const TileLoop::AbortCheck& isAborted, const Drawer& draw)
 {
-  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
-    [&](vtkIdType begin, vtkIdType end)
-    {
-      std::unique_ptr<TileScratch> scratch = this->Scratch.Take();
-      for (auto tile = static_cast<int>(begin); tile < end; ++tile)
-      {
-        draw(this->RectangleOf(tile), this->Bins.GetTile(tile), this->Bins.GetSize(tile), *scratch);
-      }
-      this->Scratch.Return(std::move(scratch));
-    });
+  const bool isDrawn = TileLoop::Run(this->TilesX, this->TilesY, isAborted, this->Scratch,
+    [&](int tile, TileScratch& scratch)
+    { draw(this->RectangleOf(tile), this->Bins.GetTile(tile), this->Bins.GetSize(tile), scratch); });
   this->Counts = this->Scratch.CollectCounts();
+  return isDrawn;
 }

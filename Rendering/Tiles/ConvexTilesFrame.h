@@ -12,6 +12,7 @@
 #include "ConvexTileTask.h"
 #include "TileBins.h"
 #include "TileLimits.h"
+#include "TileLoop.h"
 #include "TileScratchPool.h"
 #include "TileVertices.h"
 #include "TileView.h"
@@ -33,6 +34,7 @@ public:
     /** Window depths per pixel, or null; view coordinates. */
     const float* OpaqueDepth = nullptr;
     std::vector<glm::vec4> ClippingPlanes;
+    TileLoop::AbortCheck IsAborted;
   };
 
   /** See class ConvexTileMesh. */
@@ -49,10 +51,11 @@ public:
   /** After SetView. */
   void SetCells(const Scene& scene, const ConvexTileFaces::Bounds& bounds, bool allExact);
 
-  /** Tile by tile, on all cores: the tile, its cells and their number. */
+  /** Tile by tile, on all cores: the tile, its cells and their number. False where the frame was given
+   *  up. */
   using Drawer =
     std::function<void(const TileRectangle& tile, const int* cells, int count, TileScratch&)>;
-  void Draw(const Drawer& draw);
+  bool Draw(const TileLoop::AbortCheck& isAborted, const Drawer& draw);
 
   ConvexTileMesh Mesh;
   TileView View;

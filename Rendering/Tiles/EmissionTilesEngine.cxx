@@ -41,8 +41,7 @@ bool EmissionTilesEngine::Render(const ConvexTilesFrame::Scene& scene)
   this->Frame.SetCells(scene, bounds, bounds.Density > DenseMedium);
   this->Image.resize(4 * static_cast<std::size_t>(scene.Camera.Width) * scene.Camera.Height);
   this->Frame.Task.Common.Image = this->Image.data();
-  this->Frame.Draw(
+  return this->Frame.Draw(scene.IsAborted,
     [this](const TileRectangle& tile, const int* cells, int count, TileScratch& scratch)
     { EmissionProjection::Draw(this->Frame.Task, tile, cells, count, this->Table, scratch); });
-  return true;
 }

@@ -65,14 +65,17 @@ bool ExtremumTilesEngine::Render(const ConvexTilesFrame::Scene& scene)
   this->Frame.SetCells(scene, bounds, false);
   const TileView& view = this->Frame.View;
   this->Extrema.resize(static_cast<std::size_t>(view.Width) * view.Height);
-  this->Frame.Draw(
+  const bool isDrawn = this->Frame.Draw(scene.IsAborted,
     [this](const TileRectangle& tile, const int* cells, int count, TileScratch& scratch)
     {
       ExtremumProjection::Draw(this->Frame.Task, tile, cells, count, this->Greatest.data(), scratch,
         this->Extrema.data());
     });
-  this->Colour(*scene.Function);
-  return true;
+  if (isDrawn)
+  {
+    this->Colour(*scene.Function);
+  }
+  return isDrawn;
 }
 
 //------------------------------------------------------------------------------

@@ -22,7 +22,8 @@ public:
   void SetScalars(const std::vector<float>& values, bool onePerCell, bool findLeast);
   void SetDrawn(const std::vector<unsigned int>& cells) { this->Frame.SetDrawn(cells); }
 
-  /** False where the view has no inverse or is larger than TileSize::LargestImage. */
+  /** False where the view has no inverse or is larger than TileSize::LargestImage, and where the
+   *  frame is given up. */
   bool Render(const ConvexTilesFrame::Scene& scene);
 
   /** Premultiplied RGBA, first row at the bottom. */

@@ -19,6 +19,7 @@ list(APPEND sources
   Rendering/Tiles/TileLighting.cxx
   Rendering/Tiles/TileLimits.cxx
   Rendering/Tiles/TileLitShading.cxx
+  Rendering/Tiles/TileLoop.cxx
   Rendering/Tiles/TileMesh.cxx
   Rendering/Tiles/TileNeighbours.cxx
   Rendering/Tiles/TileOrder.cxx
@@ -65,6 +66,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileLitPieces.h
   Rendering/Tiles/TileLitShader-inl.h
   Rendering/Tiles/TileLitShading.h
+  Rendering/Tiles/TileLoop.h
   Rendering/Tiles/TileMath-inl.h
   Rendering/Tiles/TileMesh.h
   Rendering/Tiles/TileNeighbours.h

@@ -6,8 +6,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <memory>
-#include <utility>
 
 namespace
 {
@@ -66,8 +64,7 @@ bool TilesEngine::Render(const Scene& scene)
   }
   this->Bin(scene);
   this->SetTask(scene);
-  this->Project();
-  return true;
+  return this->Project(scene);
 }
 
 //------------------------------------------------------------------------------
@@ -160,20 +157,15 @@ void TilesEngine::SetLighting(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-void TilesEngine::Project()
+bool TilesEngine::Project(const Scene& scene)
 {
-  vtkSMPTools::For(0, this->Bins.GetNumberOfTiles(), 1,
-    [this](vtkIdType begin, vtkIdType end)
-    {
-      std::unique_ptr<TileScratch> scratch = this->Scratch.Take();
-      for (vtkIdType tile = begin; tile < end; ++tile)
-      {
-        this->DrawTile(static_cast<int>(tile), *scratch);
-      }
-      this->Scratch.Return(std::move(scratch));
-    });
+  const bool isDrawn = TileLoop::Run(this->TilesX, this->TilesY, scene.IsAborted, this->Scratch,
+    [this](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch); });
   this->Counts = this->Scratch.CollectCounts();
-  this->IsSorted = true;
+  // Of a frame that was given up some tiles have put their lists in order, the others have not.
+  this->IsSorted = isDrawn;
+  this->IsBinned = this->IsBinned && isDrawn;
+  return isDrawn;
 }
 
 //------------------------------------------------------------------------------

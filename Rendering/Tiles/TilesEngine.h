@@ -15,6 +15,7 @@
 #include "TileCells.h"
 #include "TileLighting.h"
 #include "TileLimits.h"
+#include "TileLoop.h"
 #include "TileMesh.h"
 #include "TileScratchPool.h"
 #include "TileTask.h"
@@ -47,6 +48,7 @@ public:
     std::vector<glm::vec4> ClippingPlanes;
     /** The cells of the mesh that was given from back to front; null: found within each tile. */
     const std::vector<vtkIdType>* BackToFront = nullptr;
+    TileLoop::AbortCheck IsAborted;
   };
 
   void SetMesh(const std::vector<float>& points, const std::vector<int>& corners);
@@ -57,7 +59,8 @@ public:
   /** 0 for cells that are not to be seen. */
   void SetDrawn(const std::vector<unsigned char>& drawn) { this->Mesh.SetDrawn(drawn); }
 
-  /** False where the view has no inverse or is larger than LargestImage. */
+  /** False where the view has no inverse or is larger than LargestImage, and where the frame is given
+   *  up: the next one is drawn as if that had not begun. */
   bool Render(const Scene& scene);
 
   /** Premultiplied RGBA, first row at the bottom. */
@@ -72,7 +75,7 @@ private:
   void Bin(const Scene& scene);
   void SetTask(const Scene& scene);
   void SetLighting(const Scene& scene);
-  void Project();
+  bool Project(const Scene& scene);
   void DrawTile(int tile, TileScratch& scratch);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
 

@@ -60,6 +60,7 @@ TilesEngine::Scene TilesScene::DescribeScene()
   scene.Function = &this->Function;
   scene.OpaqueDepth = this->OpaqueDepth.empty() ? nullptr : this->OpaqueDepth.data();
   scene.BackToFront = this->BackToFront.empty() ? nullptr : &this->BackToFront;
+  scene.IsAborted = this->IsAborted;
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {

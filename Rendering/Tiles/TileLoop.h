@@ -1,0 +1,27 @@
+/**
+ * Draws the tiles of a frame on all cores, unless the frame is given up.
+ *
+ * Whether it is given up is asked before every tile of the thread that called: a window may only be
+ * asked from there. Where that thread does not work itself (vtkSMPTools' STDThread), it is asked
+ * after every row of tiles.
+ */
+#ifndef TileLoop_h
+#define TileLoop_h
+
+#include <functional>
+
+class TileScratchPool;
+struct TileScratch;
+
+namespace TileLoop
+{
+/** True where the frame is given up; empty where it never is. */
+using AbortCheck = std::function<bool()>;
+using Drawer = std::function<void(int tile, TileScratch& scratch)>;
+
+/** Tiles lie in rows of `tilesX`. False where the frame was given up: not all tiles are drawn. */
+bool Run(int tilesX, int tilesY, const AbortCheck& isAborted, TileScratchPool& pool,
+  const Drawer& draw);
+}
+
+#endif
