@@ -138,8 +138,14 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) co
   vtkIdType* to = order + this->Places[chunk] + this->CountCells(first, begin);
   std::vector<Run> runs;
   std::vector<Tie> ties;
+  const bool isCell = this->Shared.IsEmpty();
   while (begin < end)
   {
+    // Most keys are alone.
+    for (; isCell && begin + 1 < end && items[begin].Key != items[begin + 1].Key; ++begin)
+    {
+      *to++ = items[begin].Id;
+    }
     vtkIdType next = begin + 1;
     while (next < count && items[next].Key == items[begin].Key)
     {
