@@ -15,6 +15,7 @@ public:
   double GetRootMeanSquareOutside() const;
   double GetPercentile() const { return this->Percentile; }
   double GetMaximum() const { return this->Maximum; }
+  /// Below zero: no view was from inside.
   double GetMaximumInside() const { return this->MaximumInside; }
   double GetShare() const;
 
@@ -28,7 +29,7 @@ private:
   Sum All, Outside;
   double Percentile = 0.0;
   double Maximum = 0.0;
-  double MaximumInside = 0.0;
+  double MaximumInside = -1.0;
 };
 
 #endif

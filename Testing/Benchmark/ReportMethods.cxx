@@ -16,6 +16,9 @@
 #include "vtkUnstructuredGridVolumeRayCastMapper.h"
 #include "vtkUnstructuredGridVolumeZSweepMapper.h"
 
+#include <algorithm>
+#include <cstddef>
+
 namespace ReportMethods
 {
 const char* const Reference = "VTK projected tetrahedra";
@@ -196,7 +199,9 @@ std::vector<Method> All()
   AddShells(all);
   AddUnsorted(all);
   AddRayCasters<vtkUnstructuredGridVolumeRayCastMapper>(all, "VTK Bunyk");
+  const std::size_t others = all.size();
   AddRayCasters<vtkUnstructuredGridVolumeZSweepMapper>(all, "VTK ZSweep");
+  std::for_each(all.begin() + others, all.end(), [](Method& sweep) { sweep.EndsInside = false; });
   return all;
 }
 

@@ -27,6 +27,8 @@ struct Method
   bool IsApproximation = false;
   /// Percent of field error that the tetrahedra are simplified by; 0: not at all.
   double Simplified = 0.0;
+  /// A frame of it from inside the mesh comes to an end.
+  bool EndsInside = true;
 };
 
 /// VTK's projected tetrahedra come first, Shirley's and Tuchman's before the other approximations.

@@ -44,7 +44,7 @@ void ReportRow::Write(std::ostream& stream) const
     Number(this->Reference / median), Number(this->Errors.GetRootMeanSquare()),
     Number(this->Errors.GetPercentile()), Number(this->Errors.GetMaximum()),
     Number(this->Errors.GetShare()), Number(this->Errors.GetRootMeanSquareOutside()),
-    Number(this->Errors.GetMaximumInside()),
+    NotNegative(this->Errors.GetMaximumInside(), "%.4g"),
     NotNegative(static_cast<double>(this->MisorderedFaces), "%.0f"),
     NotNegative(this->ToShirleyTuchman, "%.4g") };
   const char* separator = "";

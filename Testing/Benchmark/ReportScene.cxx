@@ -244,7 +244,8 @@ bool ReportScene::MeasureError(const ReportMethods::Method& method, ReportRow& r
   limit->Watch(scene.Window, this->With.SecondsPerFrame);
   // Of the first frame of VTK's projected tetrahedra a part is missing.
   scene.TimeFrame(0);
-  for (int view = 0; view < ReportViews::Count && !limit->WasExceeded; ++view)
+  const int views = method.EndsInside ? ReportViews::Count : ReportViews::Inside;
+  for (int view = 0; view < views && !limit->WasExceeded; ++view)
   {
     this->Views.Look(view, scene.Renderer);
     scene.Window->Render();
