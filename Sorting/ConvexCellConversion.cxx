@@ -104,11 +104,9 @@ ConvexCellConversion::Coordinates* ConvexCellConversion::FetchPoints(
   const vtkIdType* ids, int count, Scratch& scratch) const
 {
   scratch.Points.resize(count);
-  for (int i = 0; i < count; ++i)
-  {
-    this->Points.Get(ids[i], scratch.Points[i].data());
-  }
-  return reinterpret_cast<Coordinates*>(scratch.Points.data());
+  auto* points = reinterpret_cast<Coordinates*>(scratch.Points.data());
+  this->Points.Get(ids, count, points);
+  return points;
 }
 
 ConvexCellCut ConvexCellConversion::FindCut(int type, const double (*points)[3]) const

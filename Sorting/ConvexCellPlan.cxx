@@ -17,14 +17,15 @@ constexpr double FlatShare = 1e-9;
 
 bool RepeatsAnId(const vtkIdType* ids, int count)
 {
+  bool repeats = false;
   for (int i = 1; i < count; ++i)
   {
-    if (std::find(ids, ids + i, ids[i]) != ids + i)
+    for (int j = 0; j < i; ++j)
     {
-      return true;
+      repeats |= ids[i] == ids[j];
     }
   }
-  return false;
+  return repeats;
 }
 
 // Returns the sum of the pieces' volumes, times six.

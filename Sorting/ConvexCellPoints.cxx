@@ -97,6 +97,14 @@ void ConvexCellPoints::Get(vtkIdType id, double x[3]) const
   std::copy_n(this->Added[id - this->NumberOfPoints].data(), 3, x);
 }
 
+void ConvexCellPoints::Get(const vtkIdType* ids, int count, double (*x)[3]) const
+{
+  for (int i = 0; i < count; ++i)
+  {
+    this->Get(ids[i], x[i]);
+  }
+}
+
 void ConvexCellPoints::NumberOutput()
 {
   vtkIdType removed = 0;

@@ -53,6 +53,7 @@ public:
   vtkIdType GetNumberOfAddedPoints() const { return static_cast<vtkIdType>(this->Added.size()); }
   vtkIdType GetNumberOfIds() const { return this->NumberOfPoints + this->GetNumberOfAddedPoints(); }
   void Get(vtkIdType id, double x[3]) const;
+  void Get(const vtkIdType* ids, int count, double (*x)[3]) const;
 
   /** After the last point was added. */
   void NumberOutput();

@@ -166,21 +166,38 @@ bool ConvexCellReader::ShapeOf(int cellType, Shape& shape)
   }
 }
 
+// In place where the mesh has its lists as vtkIdType, else by way of `list`.
+void ConvexCellReader::ReadList(
+  vtkIdType cell, vtkIdList* list, vtkIdType& size, const vtkIdType*& ids) const
+{
+  vtkCellArray* cells = this->Grid->GetCells();
+  if (cells->IsStorageShareable())
+  {
+    cells->GetCellAtId(cell, size, ids);
+    return;
+  }
+  cells->GetCellAtId(cell, list);
+  size = list->GetNumberOfIds();
+  ids = list->GetPointer(0);
+}
+
 bool ConvexCellReader::ReadIds(vtkIdType cell, Shape shape, const std::vector<vtkIdType>& canonical,
   vtkIdList* list, vtkIdType* ids) const
 {
   const int count = TetrahedralSplit::NumberOfVertices(shape);
   Shape twin;
   const int type = this->Types[cell];
-  this->Grid->GetCells()->GetCellAtId(cell, list);
-  const vtkIdType more = list->GetNumberOfIds() - count;
+  vtkIdType size;
+  const vtkIdType* listed;
+  this->ReadList(cell, list, size, listed);
+  const vtkIdType more = size - count;
   if (more < 0 || (more > 0 && !CurvedCell::TwinOf(type, twin)))
   {
     return false;
   }
   for (int i = 0; i < count; ++i)
   {
-    const vtkIdType id = list->GetId(i);
+    const vtkIdType id = listed[i];
     if (id < 0 || id >= static_cast<vtkIdType>(canonical.size()))
     {
       return false;

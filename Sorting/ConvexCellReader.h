@@ -57,6 +57,7 @@ public:
 
 private:
   void CopyCells();
+  void ReadList(vtkIdType cell, vtkIdList* list, vtkIdType& size, const vtkIdType*& ids) const;
   ConvexCellPlan::FateType ListHull(
     vtkIdType cell, const ConvexCellPoints& points, vtkIdList* list) const;
 

@@ -1,5 +1,7 @@
 #include "ConvexityTest.h"
 
+#include "PlainHexahedron.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -62,10 +64,10 @@ private:
   const double (*Points)[3];
   const double Sign;
   const double Size;
-  int FewOffFace[Few];
-  std::vector<int> ManyOffFace;
-  int* OffFace = FewOffFace; // the vertices that are not on the face at hand
-  int* OffFaceEnd = OffFace;
+  Vector FewOffFace[Few];
+  std::vector<Vector> ManyOffFace;
+  Vector* OffFace = FewOffFace; // the vertices that are not on the face at hand
+  Vector* OffFaceEnd = OffFace;
 };
 
 void Cell::FindOffFace(int face)
@@ -79,7 +81,8 @@ void Cell::FindOffFace(int face)
   int count = 0;
   for (int vertex = 0; vertex < this->Surface.NumberOfVertices; ++vertex)
   {
-    this->OffFace[count] = vertex;
+    const double* x = this->Points[vertex];
+    this->OffFace[count] = { x[0], x[1], x[2] };
     count += !(fits ? on >> vertex & 1 : this->Surface.Touches(face, vertex));
   }
   this->OffFaceEnd = this->OffFace + count;
@@ -89,8 +92,13 @@ bool Cell::AllInside(int onPlane, const Vector& normal, double length) const
 {
   const double bound = ConvexityTest::InsideTolerance * this->Size * length;
   const double* origin = this->Points[onPlane];
-  return std::all_of(this->OffFace, this->OffFaceEnd,
-    [&](int vertex) { return Dot(normal, Difference(this->Points[vertex], origin)) <= bound; });
+  double highest = 0.0;
+  for (const Vector* x = this->OffFace; x < this->OffFaceEnd; ++x)
+  {
+    const Vector arm = { x->X - origin[0], x->Y - origin[1], x->Z - origin[2] };
+    highest = std::max(highest, Dot(normal, arm));
+  }
+  return highest <= bound;
 }
 
 bool Cell::IsPlanar(int face) const
@@ -152,6 +160,11 @@ namespace ConvexityTest
 {
 bool IsConvex(const Solid& solid, const vtkIdType* ids, const double (*points)[3], double sign)
 {
+  if (&solid == &TetrahedralSplit::SolidOf(TetrahedralSplit::Shape::Hexahedron) &&
+    PlainHexahedron::IsConvex(ids, points, sign))
+  {
+    return true;
+  }
   Cell cell(solid, ids, points, sign);
   for (int face = 0; face < solid.NumberOfFaces; ++face)
   {

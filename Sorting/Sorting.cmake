@@ -53,6 +53,7 @@ list(APPEND sources
   Sorting/NearestPlace.cxx
   Sorting/NonconformingFaces.cxx
   Sorting/OrderProof.cxx
+  Sorting/PlainHexahedron.cxx
   Sorting/PlanarRegion.cxx
   Sorting/PlaneDivision.cxx
   Sorting/PointSetFaces.cxx
@@ -122,6 +123,7 @@ list(APPEND private_headers
   Sorting/NearestPlace.h
   Sorting/NonconformingFaces.h
   Sorting/OrderProof.h
+  Sorting/PlainHexahedron.h
   Sorting/PlanarRegion.h
   Sorting/PlaneDivision.h
   Sorting/PointCoordinates.h

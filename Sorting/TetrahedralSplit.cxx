@@ -199,11 +199,15 @@ double SixVolumes(const double a[3], const double b[3], const double c[3], const
 
 void ScaleIfExtreme(double (*points)[3], int count)
 {
-  double largest = 0.0;
-  for (int i = 0; i < 3 * count; ++i)
+  double largests[3] = { 0.0, 0.0, 0.0 };
+  for (int i = 0; i < count; ++i)
   {
-    largest = std::max(largest, std::abs(points[i / 3][i % 3]));
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      largests[axis] = std::max(largests[axis], std::abs(points[i][axis]));
+    }
   }
+  const double largest = std::max({ largests[0], largests[1], largests[2] });
   if (largest == 0.0 || (largest > 1e-60 && largest < 1e60))
   {
     return;
