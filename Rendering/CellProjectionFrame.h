@@ -26,6 +26,8 @@ struct CellProjectionFrame
   /// The viewport in pixels of the window's framebuffer.
   int Origin[2] = { 0, 0 };
   int Size[2] = { 0, 0 };
+  /// The image that Tiles draw: fewer pixels than the viewport's where that is drawn coarsely.
+  int ImageSize[2] = { 0, 0 };
   ViewRays Rays;
   /// View coordinates: normal and offset, the positive side stays.
   std::vector<glm::vec4> ClippingPlanes;
@@ -34,7 +36,7 @@ struct CellProjectionFrame
   vtkTextureObject* Image = nullptr;
   /// Whether the Tiles engine draws, not Raster.
   bool UsesTiles = false;
-  /// For Tiles: window depths, row by row; empty where nothing opaque is there.
+  /// For Tiles: window depths of the image's pixels, row by row; empty where nothing opaque is there.
   std::vector<float> OpaqueDepths;
   FrameStatistics Statistics;
 

@@ -2,7 +2,9 @@
 #define ConvexCellMapperInternals_h
 
 #include "CellProjectionFrame.h"
+#include "CoarseImage.h"
 #include "FloatTarget.h"
+#include "ImageSampling.h"
 #include "MapperInput.h"
 #include "OpaqueDepth.h"
 #include "PreparedVolume.h"
@@ -76,6 +78,8 @@ public:
 
   OpaqueDepth Depth;
   FloatTarget Target;
+  CoarseImage Coarse;
+  ImageSampling Sampling;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;
 
   FrameStatistics Statistics;

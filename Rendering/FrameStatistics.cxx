@@ -36,4 +36,8 @@ void FrameStatistics::FillTable(vtkTable* table) const
   AddColumn<vtkDoubleArray>(table, "SecondsSort", this->SecondsSort);
   AddColumn<vtkDoubleArray>(table, "SecondsProject", this->SecondsProject);
   AddColumn<vtkDoubleArray>(table, "SecondsBlend", this->SecondsBlend);
+  if (this->ImageSampleDistance > 1.0)
+  {
+    AddColumn<vtkDoubleArray>(table, "ImageSampleDistance", this->ImageSampleDistance);
+  }
 }

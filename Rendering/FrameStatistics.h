@@ -29,8 +29,10 @@ public:
   double SecondsSort = 0.0;
   double SecondsProject = 0.0;
   double SecondsBlend = 0.0;
+  /// Pixels from ray to ray.
+  double ImageSampleDistance = 1.0;
 
-  /// One row, the columns named as the members, in their order.
+  /// One row, the columns named as the members, in their order; the last one where it is above 1.
   void FillTable(vtkTable* table) const;
 
   /// Adds the seconds of its life to one of the members above.

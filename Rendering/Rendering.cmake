@@ -16,9 +16,11 @@ list(APPEND sources
   Rendering/CellPlanes.cxx
   Rendering/CellShapes.cxx
   Rendering/CentroidApproximation.cxx
+  Rendering/CoarseImage.cxx
   Rendering/ConvexCellBuffers.cxx
   Rendering/ConvexCellFaces.cxx
   Rendering/ConvexCellMapperInput.cxx
+  Rendering/ConvexCellMapperTiles.cxx
   Rendering/ConvexCellSelection.cxx
   Rendering/ConvexCellShaders.cxx
   Rendering/CutCells.cxx
@@ -41,6 +43,7 @@ list(APPEND sources
   Rendering/FiniteNodes.cxx
   Rendering/FloatTarget.cxx
   Rendering/FrameStatistics.cxx
+  Rendering/ImageSampling.cxx
   Rendering/IsoLayers.cxx
   Rendering/IsoRaster.cxx
   Rendering/IsoSurfaces.cxx
@@ -109,6 +112,7 @@ list(APPEND private_headers
   Rendering/CellProjectionFrame.h
   Rendering/CellShapes.h
   Rendering/CentroidApproximation.h
+  Rendering/CoarseImage.h
   Rendering/ConvexCellBuffers.h
   Rendering/ConvexCellFaces.h
   Rendering/ConvexCellMapperInternals.h
@@ -134,6 +138,7 @@ list(APPEND private_headers
   Rendering/FiniteNodes.h
   Rendering/FloatTarget.h
   Rendering/FrameStatistics.h
+  Rendering/ImageSampling.h
   Rendering/IsoLayers.h
   Rendering/IsoRaster.h
   Rendering/IsoSurfaces.h

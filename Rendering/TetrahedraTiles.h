@@ -27,7 +27,7 @@ public:
   /// Takes what lights, opens or colours the cells where that is newer than what it has.
   void UpdateShading(const VolumeShading& shading);
 
-  /// Premultiplied RGBA of the viewport's size; null where it cannot. `order` null: the engine
+  /// Premultiplied RGBA of frame.ImageSize; null where it cannot. `order` null: the engine
   /// finds its own. Sets the frame's RepairedPixels.
   const float* Draw(CellProjectionFrame& frame, const PreparedVolume& prepared,
     const VolumeShading& shading, const BackToFrontOrder* order);

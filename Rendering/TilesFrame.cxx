@@ -23,8 +23,8 @@ TileView::Camera TilesFrame::GetCamera(const CellProjectionFrame& frame)
   camera.MeshToView = frame.Rays.MeshToView;
   camera.ViewToClip = frame.Rays.ViewToClip;
   camera.ViewToWorld = frame.Rays.ViewToWorld;
-  camera.Width = frame.Size[0];
-  camera.Height = frame.Size[1];
+  camera.Width = frame.ImageSize[0];
+  camera.Height = frame.ImageSize[1];
   return camera;
 }
 

@@ -15,6 +15,8 @@
 
 #include CELLPROJECTION_OPENGL_HEADER
 
+#include <algorithm>
+
 //------------------------------------------------------------------------------
 vtkConvexCellMapper::vtkConvexCellMapper()
   : Internal(new Internals)
@@ -39,6 +41,7 @@ void vtkConvexCellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     if (this->Project(frame))
     {
       this->Blend(frame);
+      this->RecordSampling(frame);
     }
   }
   this->EndFrame(frame);
@@ -66,6 +69,7 @@ bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
   frame.Window = static_cast<vtkOpenGLRenderWindow*>(frame.Renderer->GetRenderWindow());
   frame.Renderer->GetTiledSizeAndOrigin(
     &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
+  std::copy_n(frame.Size, 2, frame.ImageSize);
   if (frame.Size[0] <= 0 || frame.Size[1] <= 0)
   {
     this->WarnOnce("The viewport has " + std::to_string(frame.Size[0]) + "x" +
@@ -219,11 +223,7 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
   frame.OpaqueDepth = this->Internal->Depth.GetTexture();
   if (frame.UsesTiles)
   {
-    this->Internal->Depth.Read(frame.OpaqueDepths);
-    const bool isDrawn =
-      this->Internal->Target.Upload(frame.Window, frame.Size, this->DrawTiles(frame));
-    frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;
-    return isDrawn;
+    return this->ProjectByTiles(frame);
   }
   const PremultipliedBlending blending(frame.Window->GetState());
   if (!this->Internal->Target.Begin(frame.Window, frame.Size[0], frame.Size[1]))
@@ -364,4 +364,8 @@ void vtkConvexCellMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "Engine: " << this->Engine << "\n";
   os << indent << "Tolerance: " << this->Tolerance << "\n";
   os << indent << "CaptureImage: " << this->CaptureImage << "\n";
+  os << indent << "AutoAdjustSampleDistances: " << this->AutoAdjustSampleDistances << "\n";
+  os << indent << "ImageSampleDistance: " << this->ImageSampleDistance << "\n";
+  os << indent << "MinimumImageSampleDistance: " << this->MinimumImageSampleDistance << "\n";
+  os << indent << "MaximumImageSampleDistance: " << this->MaximumImageSampleDistance << "\n";
 }

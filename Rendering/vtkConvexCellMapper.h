@@ -123,6 +123,38 @@ public:
   vtkBooleanMacro(CaptureImage, bool);
   ///@}
 
+  ///@{
+  /**
+   * Tiles draw coarser, down to MaximumImageSampleDistance, while the time that the renderer allots to
+   * the volume (vtkRenderWindow::SetDesiredUpdateRate, which interactors set) is shorter than the last
+   * frames took: as vtkUnstructuredGridVolumeRayCastMapper does. At rest every pixel has its ray, as if
+   * nothing had moved. Raster is never coarser. Default: on.
+   */
+  vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
+  vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  vtkBooleanMacro(AutoAdjustSampleDistances, vtkTypeBool);
+  ///@}
+
+  ///@{
+  /**
+   * Pixels from ray to ray in both directions: of every frame by Tiles where
+   * AutoAdjustSampleDistances is off. Between the rays the image is linear; beside opaque geometry it
+   * is that of the rays on the same side of its outline. Default: 1, and no less.
+   */
+  vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(ImageSampleDistance, float);
+  ///@}
+
+  ///@{
+  /**
+   * What AutoAdjustSampleDistances may choose. Defaults: 1 and 10.
+   */
+  vtkSetClampMacro(MinimumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MinimumImageSampleDistance, float);
+  vtkSetClampMacro(MaximumImageSampleDistance, float, 1.0f, 100.0f);
+  vtkGetMacro(MaximumImageSampleDistance, float);
+  ///@}
+
   /**
    * The volume alone as the last frame drew it: the viewport's size, one float array of 4
    * components, premultiplied RGBA, first row at the bottom. Null where CaptureImage was off or
@@ -137,7 +169,8 @@ public:
    * scalar that is not finite), CellsSkippedOutside, Cycles (groups of cells
    * that hide each other in a circle), MisorderedFaces (where the mapper is asked to count),
    * RepairedPixels, SecondsPrepare, SecondsSort, SecondsProject (until the driver is done),
-   * SecondsBlend. What a method does not have is 0.
+   * SecondsBlend. What a method does not have is 0. A frame of fewer rays than pixels has one more,
+   * ImageSampleDistance: pixels from ray to ray.
    */
   vtkTable* GetLastStatistics();
 
@@ -182,8 +215,7 @@ protected:
   {
     return "the cells of this mapper";
   }
-  /// The Tiles engine's image: premultiplied RGBA of the viewport's size; null where nothing can be
-  /// drawn.
+  /// The Tiles engine's image: premultiplied RGBA of frame.ImageSize; null where nothing can be drawn.
   virtual const float* DrawTiles(CellProjectionFrame&) { return nullptr; }
   /// Draws the cells into the bound float target. False where nothing can be drawn.
   virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
@@ -208,6 +240,10 @@ protected:
   int Engine = AUTOMATIC;
   bool CaptureImage = false;
   double Tolerance = 1e-3;
+  vtkTypeBool AutoAdjustSampleDistances = 1;
+  float ImageSampleDistance = 1.0f;
+  float MinimumImageSampleDistance = 1.0f;
+  float MaximumImageSampleDistance = 10.0f;
 
 private:
   vtkConvexCellMapper(const vtkConvexCellMapper&) = delete;
@@ -221,6 +257,9 @@ private:
   void PrepareTransferFunction(CellProjectionFrame& frame);
   bool PrepareView(CellProjectionFrame& frame);
   bool Project(CellProjectionFrame& frame);
+  bool ProjectByTiles(CellProjectionFrame& frame);
+  double ChooseImageSampleDistance(CellProjectionFrame& frame) const;
+  void RecordSampling(const CellProjectionFrame& frame);
   void Blend(CellProjectionFrame& frame);
   void EndFrame(CellProjectionFrame& frame);
 

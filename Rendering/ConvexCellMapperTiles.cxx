@@ -1,0 +1,50 @@
+// How vtkConvexCellMapper draws by Tiles: as fine as the time allows, and enlarged to the viewport.
+
+#include "ConvexCellMapperInternals.h"
+#include "vtkConvexCellMapper.h"
+#include "vtkVolume.h"
+
+//------------------------------------------------------------------------------
+double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame) const
+{
+  if (!this->AutoAdjustSampleDistances)
+  {
+    return this->ImageSampleDistance;
+  }
+  const ImageSampling::Limits limits{ this->MinimumImageSampleDistance,
+    this->MaximumImageSampleDistance };
+  return this->Internal->Sampling.Choose(frame.Volume->GetAllocatedRenderTime(), limits);
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  internal.Depth.Read(frame.OpaqueDepths);
+  const double distance = this->ChooseImageSampleDistance(frame);
+  frame.Statistics.ImageSampleDistance = distance;
+  const bool isCoarse = distance > 1.0;
+  if (isCoarse)
+  {
+    internal.Coarse.SetSize(frame.Size[0], frame.Size[1], distance);
+    frame.OpaqueDepths = internal.Coarse.ReduceDepths(frame.OpaqueDepths);
+    frame.ImageSize[0] = internal.Coarse.GetWidth();
+    frame.ImageSize[1] = internal.Coarse.GetHeight();
+  }
+  const float* image = this->DrawTiles(frame);
+  const float* enlarged = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
+  const bool isDrawn = internal.Target.Upload(frame.Window, frame.Size, enlarged);
+  frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;
+  return isDrawn;
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::RecordSampling(const CellProjectionFrame& frame)
+{
+  const FrameStatistics& s = frame.Statistics;
+  if (frame.UsesTiles)
+  {
+    this->Internal->Sampling.Record(
+      s.ImageSampleDistance, s.SecondsSort + s.SecondsProject + s.SecondsBlend);
+  }
+}

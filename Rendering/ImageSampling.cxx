@@ -1,0 +1,23 @@
+#include "ImageSampling.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace
+{
+// Else the size would change with every tremor of the clock from frame to frame, and
+// nothing that was made for the size before would be used again.
+constexpr double StepsPerPixel = 4.0;
+// A frame that misses its time by less is left as fine as it is.
+constexpr double Slack = 1.1;
+}
+
+//------------------------------------------------------------------------------
+double ImageSampling::Choose(double seconds, const Limits& limits) const
+{
+  const double ratio = this->FullSeconds / std::max(seconds, 1e-9);
+  const double wanted = ratio > Slack ? std::sqrt(ratio) : 1.0;
+  const double stepped = std::ceil(StepsPerPixel * wanted) / StepsPerPixel;
+  const double least = std::max(limits.Least, 1.0);
+  return std::min(std::max(stepped, least), std::max(limits.Greatest, least));
+}
