@@ -26,13 +26,16 @@ std::vector<float> CornerScalars(const ScalarField& scalars, const FacePieces& p
 }
 
 //------------------------------------------------------------------------------
-void ConvexCellBuffers::Prepare(const PreparedVolume& prepared)
+void ConvexCellBuffers::Prepare(const PreparedVolume& prepared, const Progress& report)
 {
   if (this->CellsTime < prepared.CellsTime)
   {
     this->Cells.Build(prepared.Cells);
+    report(0.4);
     this->Pieces.Build(prepared.Coordinates.Points, this->Cells.Loops);
+    report(0.7);
     this->Planes.Build(prepared.Coordinates.Points, this->Cells, this->Pieces);
+    report(1.0);
     this->CellsTime.Modified();
   }
 }

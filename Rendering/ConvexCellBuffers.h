@@ -8,6 +8,7 @@
 #include "vtkTimeStamp.h"
 
 #include <array>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -25,8 +26,11 @@ class vtkWindow;
 class ConvexCellBuffers
 {
 public:
+  /// Is given the share of a preparation that is done, from 0 to 1.
+  using Progress = std::function<void(double share)>;
+
   /// Faces and planes of the cells; needs no window.
-  void Prepare(const PreparedVolume& prepared);
+  void Prepare(const PreparedVolume& prepared, const Progress& report);
 
   /// False, with the reason in GetFailure, where the arrays exceed the driver's limits. The context
   /// must be current.

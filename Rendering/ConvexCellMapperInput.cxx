@@ -1,4 +1,4 @@
-// What vtkConvexCellMapper takes as its input.
+// What vtkConvexCellMapper takes as its input, and how far it is with it.
 
 #include "ConvexCellMapperInternals.h"
 #include "MapperMessages.h"
@@ -49,4 +49,34 @@ double* vtkConvexCellMapper::GetBounds()
   }
   MapperInput::FindBounds(this->GetDataObjectInput(), this->Bounds);
   return this->Bounds;
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::ReportCells()
+{
+  // VTK's pipeline says 0 and 1 of its own accord, also where nothing is to be done.
+  const double progress = this->Internal->Cells->GetProgress();
+  if (progress > 0.0 && progress < 1.0)
+  {
+    this->ReportPreparation(0.45 * progress);
+  }
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::ReportPreparation(double share)
+{
+  this->Internal->IsPreparing = true;
+  this->UpdateProgress(share);
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::EndPreparation(CellProjectionFrame& frame)
+{
+  if (this->Internal->IsPreparing)
+  {
+    this->UpdateProgress(1.0);
+    this->Internal->IsPreparing = false;
+    // An observer may have drawn elsewhere.
+    frame.Window->MakeCurrent();
+  }
 }

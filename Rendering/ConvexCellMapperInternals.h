@@ -46,13 +46,14 @@ class vtkConvexCellMapper::Internals
 {
 public:
   /// Takes what is new of the cells and their points. Scalars alone leave both as they are
-  /// (vtkConvexCells), and all that was made from them.
-  void TakeGeometry(vtkUnstructuredGrid* convex)
+  /// (vtkConvexCells), and all that was made from them. True where the cells are new.
+  bool TakeGeometry(vtkUnstructuredGrid* convex)
   {
     vtkPoints* points = convex->GetPoints();
     const std::array<vtkMTimeType, 2> times = { { points ? points->GetMTime() : 0,
       points ? points->GetData()->GetMTime() : 0 } };
-    if (this->SeenCells != convex->GetCells()->GetMTime())
+    const bool isNew = this->SeenCells != convex->GetCells()->GetMTime();
+    if (isNew)
     {
       this->Prepared.TakeCells(convex);
     }
@@ -62,6 +63,7 @@ public:
     }
     this->SeenCells = convex->GetCells()->GetMTime();
     this->SeenPoints = times;
+    return isNew;
   }
 
   MapperInput Input;
@@ -86,6 +88,8 @@ public:
   vtkNew<vtkTable> StatisticsTable;
   vtkSmartPointer<vtkImageData> Captured;
   std::set<std::string> Reported;
+  // Whether this frame has reported progress.
+  bool IsPreparing = false;
 };
 
 #endif

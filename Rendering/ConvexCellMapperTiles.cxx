@@ -32,6 +32,11 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
     frame.ImageSize[1] = internal.Coarse.GetHeight();
   }
   const float* image = this->DrawTiles(frame);
+  if (!frame.Window->IsCurrent())
+  {
+    // What the abort check woke has drawn elsewhere.
+    frame.Window->MakeCurrent();
+  }
   const float* enlarged = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
   const bool isDrawn = internal.Target.Upload(frame.Window, frame.Size, enlarged);
   frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;

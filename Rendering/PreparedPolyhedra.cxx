@@ -5,9 +5,10 @@
 
 //------------------------------------------------------------------------------
 void PreparedPolyhedra::Prepare(
-  const PreparedVolume& prepared, const ConvexCellSelection::Emptiness& isEmpty)
+  const PreparedVolume& prepared, const ConvexCellSelection::Emptiness& isEmpty,
+  const ConvexCellBuffers::Progress& report)
 {
-  this->Buffers.Prepare(prepared);
+  this->Buffers.Prepare(prepared, report);
   if (this->SelectionTime < this->Buffers.GetCellsTime() ||
       this->SelectionTime < prepared.FunctionTime)
   {

@@ -17,7 +17,8 @@ struct PreparedVolume;
 class PreparedPolyhedra
 {
 public:
-  void Prepare(const PreparedVolume& prepared, const ConvexCellSelection::Emptiness& isEmpty);
+  void Prepare(const PreparedVolume& prepared, const ConvexCellSelection::Emptiness& isEmpty,
+    const ConvexCellBuffers::Progress& report);
   void FillStatistics(FrameStatistics& statistics) const;
 
   int GetNumberOfFlatCells() const { return this->Buffers.GetPlanes().NumberOfFlatCells; }

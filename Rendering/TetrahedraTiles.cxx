@@ -11,12 +11,12 @@
 
 //------------------------------------------------------------------------------
 void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
-  const vtkTimeStamp& selectionTime)
+  const vtkTimeStamp& selectionTime, const TileMesh::Progress& report)
 {
   const bool newCells = this->CellsTime < prepared.CellsTime;
   if (newCells)
   {
-    this->Engine.SetMesh(prepared.Coordinates.Points, selection.Corners);
+    this->Engine.SetMesh(prepared.Coordinates.Points, selection.Corners, report);
     this->CellsTime.Modified();
   }
   if (newCells || this->ScalarsTime < prepared.ScalarsTime)

@@ -22,7 +22,7 @@ class TetrahedraTiles
 public:
   /// Takes cells, scalars and the cells worth drawing where they are newer than what it has.
   void Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
-    const vtkTimeStamp& selectionTime);
+    const vtkTimeStamp& selectionTime, const TileMesh::Progress& report);
 
   /// Takes what lights, opens or colours the cells where that is newer than what it has.
   void UpdateShading(const VolumeShading& shading);

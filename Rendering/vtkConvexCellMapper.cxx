@@ -8,6 +8,7 @@
 #include "ScalarChoice.h"
 #include "SceneView.h"
 #include "VTKVersions.h"
+#include "vtkCommand.h"
 #include "vtkDataArray.h"
 #include "vtkInformation.h"
 #include "vtkRenderer.h"
@@ -21,6 +22,8 @@
 vtkConvexCellMapper::vtkConvexCellMapper()
   : Internal(new Internals)
 {
+  this->Internal->Cells->AddObserver(
+    vtkCommand::ProgressEvent, this, &vtkConvexCellMapper::ReportCells);
 }
 
 //------------------------------------------------------------------------------
@@ -38,6 +41,7 @@ void vtkConvexCellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     this->PrepareTransferFunction(frame);
     this->SortCells(frame);
+    this->EndPreparation(frame);
     if (this->Project(frame))
     {
       this->Blend(frame);
@@ -127,7 +131,10 @@ bool vtkConvexCellMapper::PrepareCells(CellProjectionFrame& frame)
   {
     this->WarnOnce(cells->GetLeftOutSummary() + ". They are skipped, the rest is drawn.");
   }
-  this->Internal->TakeGeometry(cells->GetOutput());
+  if (this->Internal->TakeGeometry(cells->GetOutput()))
+  {
+    this->ReportPreparation(0.5);
+  }
   return cells->GetOutput()->GetNumberOfCells() > 0;
 }
 

@@ -34,6 +34,9 @@ struct PreparedVolume;
  * Tiles ask the window's CheckAbortStatus while they draw, at least once per row of tiles: a frame
  * that is given up leaves no trace of the volume, in the window or in the frames after it.
  *
+ * A new mesh is prepared once, which takes seconds where it is large: ProgressEvents say how far that
+ * is, GetProgress() goes from 0 to 1.
+ *
  * What is asked for and not drawn is named by one warning, bad input by one error or warning that
  * counts the offenders; the rest is drawn. A message comes again when it changes.
  *
@@ -220,6 +223,10 @@ protected:
   /// Draws the cells into the bound float target. False where nothing can be drawn.
   virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
 
+  /// Says how far the preparation of a new mesh has come (0 to 1, subclasses begin at .5), as a
+  /// ProgressEvent. Called after work that frames of the same mesh do not do again.
+  void ReportPreparation(double share);
+
   /// What the stages before left for SortCells and ProjectCells.
   const PreparedVolume& GetPreparedVolume() const;
 
@@ -256,6 +263,8 @@ private:
   bool PrepareScalars(CellProjectionFrame& frame);
   void PrepareTransferFunction(CellProjectionFrame& frame);
   bool PrepareView(CellProjectionFrame& frame);
+  void EndPreparation(CellProjectionFrame& frame);
+  void ReportCells();
   bool Project(CellProjectionFrame& frame);
   bool ProjectByTiles(CellProjectionFrame& frame);
   double ChooseImageSampleDistance(CellProjectionFrame& frame) const;

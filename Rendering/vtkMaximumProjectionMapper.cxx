@@ -73,8 +73,13 @@ void vtkMaximumProjectionMapper::SortCells(CellProjectionFrame& frame)
   }
   constexpr float end = std::numeric_limits<float>::max();
   polyhedra.Prepare(this->GetPreparedVolume(), [&function, least](float low, float high)
-    { return least ? function.IsTransparent(low, end) : function.IsTransparent(-end, high); });
+    { return least ? function.IsTransparent(low, end) : function.IsTransparent(-end, high); },
+    [this](double share) { this->ReportPreparation(0.5 + 0.4 * share); });
   polyhedra.FillStatistics(frame.Statistics);
+  if (frame.UsesTiles)
+  {
+    this->UpdateTiles();
+  }
   if (polyhedra.GetNumberOfFlatCells() > 0)
   {
     this->WarnOnce(polyhedra.GetFlatCellsMessage());
@@ -88,13 +93,19 @@ std::string vtkMaximumProjectionMapper::FindTilesObstacle(const CellProjectionFr
 }
 
 //------------------------------------------------------------------------------
+void vtkMaximumProjectionMapper::UpdateTiles()
+{
+  Internals& internal = *this->Internal;
+  internal.Tiles.Update(internal.Engine, this->GetPreparedVolume(), internal.Polyhedra,
+    [&](const std::vector<float>& values, bool onePerCell)
+    { internal.Engine.SetScalars(values, onePerCell, this->FindsLeast()); });
+}
+
+//------------------------------------------------------------------------------
 const float* vtkMaximumProjectionMapper::DrawTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  internal.Tiles.Update(internal.Engine, prepared, internal.Polyhedra,
-    [&](const std::vector<float>& values, bool onePerCell)
-    { internal.Engine.SetScalars(values, onePerCell, this->FindsLeast()); });
   const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
   return drawn ? internal.Engine.GetImage().data() : nullptr;
 }

@@ -54,6 +54,8 @@ private:
   vtkMaximumProjectionMapper(const vtkMaximumProjectionMapper&) = delete;
   void operator=(const vtkMaximumProjectionMapper&) = delete;
 
+  void UpdateTiles();
+
   bool FindsLeast();
   bool UploadFaceScalars(CellProjectionFrame& frame);
   bool UploadSelection();

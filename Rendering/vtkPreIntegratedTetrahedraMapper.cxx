@@ -96,6 +96,7 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   if (internal.CornersTime < prepared.CellsTime)
   {
     internal.Selection.TakeCorners(prepared.Cells);
+    this->ReportPreparation(0.6);
     internal.CornersTime.Modified();
   }
   if (internal.SelectionTime < internal.CornersTime ||
@@ -109,17 +110,23 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
     this->PrepareApproximation(frame);
     return;
   }
+  if (frame.UsesTiles)
+  {
+    internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime,
+      [this](double share) { this->ReportPreparation(0.6 + 0.35 * share); });
+    this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.CountFlatCells()));
+  }
   std::string problem;
   internal.Shading.Prepare(
     frame, prepared, internal.Selection.Corners, internal.CornersTime, problem);
   this->WarnOnce(problem);
-  const bool isLit = internal.Shading.IsLit;
   if (this->DrawsTable() &&
       (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
-        internal.Table.IsLit() != isLit))
+        internal.Table.IsLit() != internal.Shading.IsLit))
   {
     const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
-    internal.Table.Build(prepared.Function, range.data(), this->TableSize, isLit);
+    internal.Table.Build(prepared.Function, range.data(), this->TableSize,
+      internal.Shading.IsLit);
     internal.TableTime.Modified();
   }
 }
@@ -275,10 +282,9 @@ bool vtkPreIntegratedTetrahedraMapper::UploadTable(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 void vtkPreIntegratedTetrahedraMapper::PrepareApproximation(CellProjectionFrame& frame)
 {
-  TetrahedraApproximation::Settings settings;
-  settings.Kind = static_cast<ApproximationKind>(this->Approximation);
-  settings.CentroidThickness = this->CentroidThickness;
-  settings.CentroidRimOpacity = this->CentroidRimOpacity;
+  const TetrahedraApproximation::Settings settings{
+    static_cast<ApproximationKind>(this->Approximation), this->CentroidThickness,
+    this->CentroidRimOpacity };
   this->Internal->Approximation.Prepare(
     settings, this->GetPreparedVolume(), this->Internal->Selection, frame);
 }
@@ -329,21 +335,18 @@ bool vtkPreIntegratedTetrahedraMapper::UploadShading(CellProjectionFrame& frame)
 std::string vtkPreIntegratedTetrahedraMapper::FindTilesObstacle(
   const CellProjectionFrame& frame) const
 {
-  const bool isExact = this->Integration == EXACT && this->Approximation == NONE;
-  return isExact ? TilesFrame::FindObstacle(frame) : "by table, average or approximation";
+  return this->Integration == EXACT && this->Approximation == NONE
+    ? TilesFrame::FindObstacle(frame)
+    : "by table, average or approximation";
 }
 
 //------------------------------------------------------------------------------
 const float* vtkPreIntegratedTetrahedraMapper::DrawTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
-  const PreparedVolume& prepared = this->GetPreparedVolume();
-  internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime);
-  this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.CountFlatCells()));
-  const bool hasOrder = internal.Sort || this->ReportOrder;
   internal.Tiles.UpdateShading(internal.Shading);
-  return internal.Tiles.Draw(
-    frame, prepared, internal.Shading, hasOrder ? &internal.Order : nullptr);
+  return internal.Tiles.Draw(frame, this->GetPreparedVolume(), internal.Shading,
+    internal.Sort || this->ReportOrder ? &internal.Order : nullptr);
 }
 
 //------------------------------------------------------------------------------
@@ -376,11 +379,8 @@ void vtkPreIntegratedTetrahedraMapper::ReleaseBuffers(vtkWindow* window)
   internal.Raster.ReleaseGraphicsResources(window);
   internal.Approximation.ReleaseGraphicsResources();
   internal.ShadingOnGPU.ReleaseGraphicsResources(window);
-  internal.CellsUploaded = vtkTimeStamp();
-  internal.ScalarsUploaded = vtkTimeStamp();
-  internal.FunctionUploaded = vtkTimeStamp();
-  internal.OrderUploaded = vtkTimeStamp();
-  internal.TableUploaded = vtkTimeStamp();
+  internal.CellsUploaded = internal.ScalarsUploaded = internal.FunctionUploaded =
+    internal.OrderUploaded = internal.TableUploaded = vtkTimeStamp();
   this->Superclass::ReleaseBuffers(window);
 }
 

@@ -67,8 +67,13 @@ void vtkProjectedPolyhedraMapper::SortCells(CellProjectionFrame& frame)
   const PreparedVolume& prepared = this->GetPreparedVolume();
   PreparedPolyhedra& polyhedra = this->Internal->Polyhedra;
   polyhedra.Prepare(
-    prepared, [&prepared](float low, float high) { return prepared.Function.IsDark(low, high); });
+    prepared, [&prepared](float low, float high) { return prepared.Function.IsDark(low, high); },
+    [this](double share) { this->ReportPreparation(0.5 + 0.4 * share); });
   polyhedra.FillStatistics(frame.Statistics);
+  if (frame.UsesTiles)
+  {
+    this->UpdateTiles();
+  }
   if (polyhedra.GetNumberOfFlatCells() > 0)
   {
     this->WarnOnce(polyhedra.GetFlatCellsMessage());
@@ -84,13 +89,19 @@ std::string vtkProjectedPolyhedraMapper::FindTilesObstacle(const CellProjectionF
 }
 
 //------------------------------------------------------------------------------
+void vtkProjectedPolyhedraMapper::UpdateTiles()
+{
+  Internals& internal = *this->Internal;
+  internal.Tiles.Update(internal.Engine, this->GetPreparedVolume(), internal.Polyhedra,
+    [&](const std::vector<float>& values, bool onePerCell)
+    { internal.Engine.SetScalars(values, onePerCell); });
+}
+
+//------------------------------------------------------------------------------
 const float* vtkProjectedPolyhedraMapper::DrawTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  internal.Tiles.Update(internal.Engine, prepared, internal.Polyhedra,
-    [&](const std::vector<float>& values, bool onePerCell)
-    { internal.Engine.SetScalars(values, onePerCell); });
   const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
   return drawn ? internal.Engine.GetImage().data() : nullptr;
 }

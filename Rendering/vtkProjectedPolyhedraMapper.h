@@ -84,6 +84,8 @@ private:
   vtkProjectedPolyhedraMapper(const vtkProjectedPolyhedraMapper&) = delete;
   void operator=(const vtkProjectedPolyhedraMapper&) = delete;
 
+  void UpdateTiles();
+
   bool DrawOnePass(CellProjectionFrame& frame);
 
   int Passes = ONE;

@@ -12,11 +12,15 @@
 #include <algorithm>
 
 //------------------------------------------------------------------------------
-void TileMesh::Build(const std::vector<float>& points, const std::vector<int>& corners)
+void TileMesh::Build(
+  const std::vector<float>& points, const std::vector<int>& corners, const Progress& report)
 {
   this->OrderCells(points, corners);
+  report(0.3);
   this->CopyCells(points, corners);
+  report(0.5);
   this->FindOrientations();
+  report(0.6);
   this->Neighbours = TileNeighbours::Find(this->Corners, this->GetNumberOfPoints());
   this->CellScalars.clear();
   this->FindSteps();

@@ -9,13 +9,18 @@
 #define TileMesh_h
 
 #include <cstddef>
+#include <functional>
 #include <vector>
 
 class TileMesh
 {
 public:
+  /** Is given the share that is done, from 0 to 1. */
+  using Progress = std::function<void(double share)>;
+
   /** `points`: x, y, z and an unused fourth each; `corners`: 4 point ids per cell. */
-  void Build(const std::vector<float>& points, const std::vector<int>& corners);
+  void Build(
+    const std::vector<float>& points, const std::vector<int>& corners, const Progress& report);
 
   /** One per point or per cell of what Build was given. */
   void SetScalars(const std::vector<float>& values, bool onePerCell);

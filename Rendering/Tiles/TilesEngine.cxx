@@ -18,9 +18,10 @@ constexpr double DenseMedium = 300.0;
 }
 
 //------------------------------------------------------------------------------
-void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<int>& corners)
+void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<int>& corners,
+  const TileMesh::Progress& report)
 {
-  this->Mesh.Build(points, corners);
+  this->Mesh.Build(points, corners, report);
   this->Gradients.Clear();
   this->Colors.Clear();
   this->IsTransformed = this->IsBinned = false;

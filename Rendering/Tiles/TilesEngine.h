@@ -51,7 +51,9 @@ public:
     TileLoop::AbortCheck IsAborted;
   };
 
-  void SetMesh(const std::vector<float>& points, const std::vector<int>& corners);
+  void SetMesh(
+    const std::vector<float>& points, const std::vector<int>& corners,
+    const TileMesh::Progress& report = [](double) {});
   void SetScalars(const std::vector<float>& values, bool onePerCell);
   /** 4 floats each, the last unused: one per point; one per point or cell. */
   void SetGradients(const std::vector<float>& gradients);
