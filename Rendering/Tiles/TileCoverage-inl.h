@@ -269,19 +269,34 @@ inline void CoverExactCell(
   }
 }
 
+/// Where in the tile a cell of a group lies: see TileRepair::KeepCells.
+inline std::uint32_t PackBox(const TileGroup& group, int k)
+{
+  const bool isEmpty = group.Width[k] <= 0 || group.Height[k] <= 0;
+  return isEmpty ? 0
+                 : static_cast<std::uint32_t>(group.Left[k] | group.Bottom[k] << 8 |
+                     group.Width[k] << 16) |
+      static_cast<std::uint32_t>(group.Height[k]) << 24;
+}
+
 /// Cells of a group from k on until the queue is full or the group ends; returns the next cell.
 inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
-  const int* ids, int k, int count, const BlockShapes& shapes, TileFragments& out)
+  const int* ids, int k, int count, const BlockShapes& shapes, std::uint32_t* boxes,
+  TileFragments& out)
 {
   static const FaceLists lists;
+  // Of a cell in double, which finds its box itself.
+  constexpr std::uint32_t wholeTile = TileSize::Pixels << 16 | std::uint32_t(TileSize::Pixels) << 24;
   for (; k < count && out.Count < TileFragments::Full; ++k)
   {
     out.BeginCell(ids[k]);
     if (group.Exact[k] != 0 || task.AllExact || (task.Cells->Faces[ids[k]] & TileCells::Exact))
     {
+      boxes[k] = wholeTile;
       CoverExactCell(task, tile, ids[k], out);
       continue;
     }
+    boxes[k] = PackBox(group, k);
     if (group.Width[k] <= 0 || group.Height[k] <= 0)
     {
       continue;

@@ -65,6 +65,7 @@ void CoverTile(
   static const BlockShapes shapes;
   const SetupBounds bounds(task);
   const std::vector<int>& ids = scratch.Drawn;
+  scratch.Boxes.resize(ids.size());
   scratch.Fragments.Count = 0;
   scratch.Fragments.NamesCells = task.Lighting != nullptr;
   auto handOn = [&]
@@ -89,7 +90,8 @@ void CoverTile(
     SetUpGroup(task, tile, bounds, &ids[i], count, scratch.Group);
     for (int k = 0; k < count;)
     {
-      k = CoverGroup(task, tile, scratch.Group, &ids[i], k, count, shapes, scratch.Fragments);
+      k = CoverGroup(task, tile, scratch.Group, &ids[i], k, count, shapes, &scratch.Boxes[i],
+        scratch.Fragments);
       if (scratch.Fragments.Count >= TileFragments::Full)
       {
         handOn();
@@ -121,6 +123,7 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
     return;
   }
   scratch.Counts.RepairedPixels += wrong;
+  repair.KeepCells(scratch.Drawn, scratch.Boxes);
   CoverTile(task, repair.Box(tile), scratch, [&] { repair.Collect(scratch.Fragments); });
   repair.Sort(*task.View);
   repair.Clear(scratch.Buffer);

@@ -42,6 +42,31 @@ TileRectangle TileRepair::Box(const TileRectangle& tile) const
 }
 
 //------------------------------------------------------------------------------
+void TileRepair::KeepCells(std::vector<int>& cells, const std::vector<std::uint32_t>& boxes) const
+{
+  static_assert(TileSize::Pixels == 64, "a row of marks is one word");
+  std::uint64_t rows[TileSize::Pixels] = {};
+  std::uint64_t columns = 0;
+  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  {
+    const auto mark = std::uint64_t(this->Marked[pixel] != 0) << pixel % TileSize::Pixels;
+    rows[pixel / TileSize::Pixels] |= mark;
+    columns |= mark;
+  }
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const std::uint32_t box = boxes[i], width = box >> 16 & 255, height = box >> 24;
+    const std::uint64_t span = width == 0 ? 0 : ~std::uint64_t(0) >> (64 - width) << (box & 255);
+    const std::uint64_t* row = rows + (box >> 8 & 255);
+    cells[kept] = cells[i];
+    kept += (span & columns) != 0 &&
+      std::any_of(row, row + height, [span](std::uint64_t marks) { return (marks & span) != 0; });
+  }
+  cells.resize(kept);
+}
+
+//------------------------------------------------------------------------------
 void TileRepair::Collect(const TileFragments& q)
 {
   for (int i = 0; i < q.Count; ++i)

@@ -13,6 +13,7 @@
 #include "TileRepair.h"
 #include "TileTask.h"
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct TileScratch
   TileOrder Order;
   TileRepair Repair;
   std::vector<int> Drawn;
+  /** Where in the tile the drawn cells lie, see TileRepair::KeepCells. */
+  std::vector<std::uint32_t> Boxes;
   ConvexTileExactCell ExactCell;
   TileCounts Counts;
 };
