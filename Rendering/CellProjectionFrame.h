@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <array>
 #include <vector>
 
 class vtkOpenGLRenderWindow;
@@ -26,6 +27,8 @@ struct CellProjectionFrame
   /// The viewport in pixels of the window's framebuffer.
   int Origin[2] = { 0, 0 };
   int Size[2] = { 0, 0 };
+  /// The part of it that the mesh can reach, or all where the image is captured: x, y, width, height.
+  std::array<int, 4> Box = { { 0, 0, 0, 0 } };
   /// The image that Tiles draw: fewer pixels than the viewport's where that is drawn coarsely.
   int ImageSize[2] = { 0, 0 };
   ViewRays Rays;

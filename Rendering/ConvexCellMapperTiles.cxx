@@ -38,7 +38,7 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
     frame.Window->MakeCurrent();
   }
   const float* enlarged = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
-  const bool isDrawn = internal.Target.Upload(frame.Window, frame.Size, enlarged);
+  const bool isDrawn = internal.Target.Upload(frame.Window, frame.Size, frame.Box, enlarged);
   frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;
   return isDrawn;
 }

@@ -14,6 +14,8 @@
 
 #include CELLPROJECTION_OPENGL_HEADER
 
+#include <cstddef>
+
 FloatTarget::FloatTarget() = default;
 FloatTarget::~FloatTarget() = default;
 
@@ -31,7 +33,8 @@ void FloatTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-bool FloatTarget::Upload(vtkOpenGLRenderWindow* window, const int size[2], const float* image)
+bool FloatTarget::Upload(
+  vtkOpenGLRenderWindow* window, const int size[2], const Box& box, const float* image)
 {
   if (!image)
   {
@@ -39,7 +42,10 @@ bool FloatTarget::Upload(vtkOpenGLRenderWindow* window, const int size[2], const
   }
   this->Allocate(window, size[0], size[1]);
   this->Color->Activate();
-  glTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, size[0], size[1], GL_RGBA, GL_FLOAT, image);
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, size[0]);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, box[0], box[1], box[2], box[3], GL_RGBA, GL_FLOAT,
+    image + 4 * (static_cast<std::ptrdiff_t>(box[1]) * size[0] + box[0]));
+  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   this->Color->Deactivate();
   return true;
 }
@@ -92,11 +98,11 @@ void FloatTarget::Capture(vtkImageData* image)
 }
 
 //------------------------------------------------------------------------------
-void FloatTarget::Blend(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+void FloatTarget::Blend(
+  vtkOpenGLRenderWindow* window, const int origin[2], const int size[2], const Box& box)
 {
   vtkOpenGLState* state = window->GetState();
   state->vtkglViewport(origin[0], origin[1], size[0], size[1]);
-  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
   if (!this->Quad)
   {
     this->Quad = std::make_unique<vtkOpenGLQuadHelper>(window, nullptr, cpBlendFragment, nullptr);
@@ -112,7 +118,11 @@ void FloatTarget::Blend(vtkOpenGLRenderWindow* window, const int origin[2], cons
   }
   this->Color->Activate();
   program->SetUniformi("volumeImage", this->Color->GetTextureUnit());
+  vtkOpenGLState::ScopedglEnableDisable scissorTest(state, GL_SCISSOR_TEST);
+  state->vtkglEnable(GL_SCISSOR_TEST);
+  state->vtkglScissor(origin[0] + box[0], origin[1] + box[1], box[2], box[3]);
   this->Quad->Render();
+  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
   this->Color->Deactivate();
 }
 

@@ -5,6 +5,7 @@
 #include "vtkOpenGLFramebufferObject.h"
 #include "vtkTextureObject.h"
 
+#include <array>
 #include <memory>
 
 class vtkImageData;
@@ -31,14 +32,19 @@ public:
 
   /// What is drawn to.
   vtkTextureObject* GetTexture() { return this->Color; }
-  /// Takes an image that was drawn elsewhere instead; false where there is none.
-  bool Upload(vtkOpenGLRenderWindow* window, const int size[2], const float* image);
+  /// A part of the image: x, y, width and height.
+  using Box = std::array<int, 4>;
+
+  /// Takes that part of an image that was drawn elsewhere instead; false where there is none.
+  bool Upload(
+    vtkOpenGLRenderWindow* window, const int size[2], const Box& box, const float* image);
 
   /// The image as one float array RGBA, first row at the bottom.
   void Capture(vtkImageData* image);
 
-  /// Lays the image over what the window's framebuffer holds at `origin`.
-  void Blend(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2]);
+  /// Lays that part of the image over what the window's framebuffer holds at `origin`.
+  void Blend(
+    vtkOpenGLRenderWindow* window, const int origin[2], const int size[2], const Box& box);
 
   void ReleaseGraphicsResources(vtkWindow* window);
 

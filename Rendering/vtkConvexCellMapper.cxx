@@ -4,6 +4,7 @@
 #include "ConvexCellMapperInternals.h"
 #include "EngineChoice.h"
 #include "MapperMessages.h"
+#include "MeshExtent.h"
 #include "PremultipliedBlending.h"
 #include "ScalarChoice.h"
 #include "SceneView.h"
@@ -74,6 +75,7 @@ bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
   frame.Renderer->GetTiledSizeAndOrigin(
     &frame.Size[0], &frame.Size[1], &frame.Origin[0], &frame.Origin[1]);
   std::copy_n(frame.Size, 2, frame.ImageSize);
+  frame.Box = { { 0, 0, frame.Size[0], frame.Size[1] } };
   if (frame.Size[0] <= 0 || frame.Size[1] <= 0)
   {
     this->WarnOnce("The viewport has " + std::to_string(frame.Size[0]) + "x" +
@@ -216,6 +218,11 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
   }
   this->WarnOnce(MapperMessages::ExcessPlanes(this->ClippingPlanes));
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);
+  if (!this->CaptureImage)
+  {
+    const MeshCoordinates& coordinates = this->Internal->Prepared.Coordinates;
+    frame.Box = MeshExtent::FindScreenBox(coordinates, frame.GetRasterView());
+  }
   return true;
 }
 
@@ -256,7 +263,7 @@ void vtkConvexCellMapper::Blend(CellProjectionFrame& frame)
     this->Internal->Target.Capture(this->Internal->Captured);
   }
   const PremultipliedBlending blending(frame.Window->GetState());
-  this->Internal->Target.Blend(frame.Window, frame.Origin, frame.Size);
+  this->Internal->Target.Blend(frame.Window, frame.Origin, frame.Size, frame.Box);
 }
 
 //------------------------------------------------------------------------------
