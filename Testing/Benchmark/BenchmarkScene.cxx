@@ -169,7 +169,7 @@ void BenchmarkScene::SetFunctionsFor(vtkUnstructuredGrid* grid, bool spiky)
 }
 
 //------------------------------------------------------------------------------
-double BenchmarkScene::TimeFrame(int frame)
+void BenchmarkScene::MoveEye(int frame)
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();
   const double* focus = camera->GetFocalPoint();
@@ -179,10 +179,22 @@ double BenchmarkScene::TimeFrame(int frame)
     focus[2] + distance * std::sin(angle) * 0.8);
   camera->SetViewUp(0.0, 0.0, 1.0);
   this->Renderer->ResetCamera();
+}
+
+//------------------------------------------------------------------------------
+double BenchmarkScene::TimeRender()
+{
   const auto start = std::chrono::steady_clock::now();
   this->Window->Render();
   this->Window->WaitForCompletion();
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+//------------------------------------------------------------------------------
+double BenchmarkScene::TimeFrame(int frame)
+{
+  this->MoveEye(frame);
+  return this->TimeRender();
 }
 
 //------------------------------------------------------------------------------

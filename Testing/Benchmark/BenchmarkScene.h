@@ -41,7 +41,10 @@ public:
   /// Colour, opacity and unit distance for the range and size of `grid`, as the constructor does.
   void SetFunctionsFor(vtkUnstructuredGrid* grid, bool spiky = false);
 
-  /// Renders until the driver is done and returns the seconds. The eye moves with `frame`.
+  /// The eye moves with `frame`; all of the scene comes into view, which brings pipelines up to date.
+  void MoveEye(int frame);
+  /// Renders until the driver is done and returns the seconds.
+  double TimeRender();
   double TimeFrame(int frame);
   /// The window's colours (8 bits) as RGBA over black, alpha 0.
   vtkSmartPointer<vtkImageData> ReadWindow();

@@ -3,14 +3,15 @@
 // row. Sorts: every visibility sort on the same meshes and eyes. Cuts: what convexification costs
 // and gives. Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
 // Simplification: levels of a mesh, as CSV. Cells: what vtkConvexCells takes. Shells: the paper's
-// tables.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|cells|shells]];
+// tables. Surfaces: iso-surfaces of moving meshes beside contours.
+//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|cells|shells|surfaces]];
 //   the data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
 #include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
+#include "IsoBenchmark.h"
 #include "RealMeshes.h"
 #include "ShellBenchmark.h"
 #include "SimplificationBenchmark.h"
@@ -29,6 +30,8 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace
 {
@@ -228,16 +231,33 @@ void CompareLevels(const BenchmarkMesh& mesh, const std::string& folder, int fra
 }
 
 // The sizes of the paper's meshes.
+std::vector<BenchmarkMesh> MakePaperMeshes(const BenchmarkMesh& mesh)
+{
+  std::vector<BenchmarkMesh> meshes = { mesh };
+  for (const int size : { 20, 32, 64 })
+  {
+    const auto lattice = SortBenchmark::MakeLattice(size);
+    SortMeshes::AddScalar(lattice);
+    meshes.push_back({ "lattice of " + std::to_string(size) + "^3", lattice });
+  }
+  return meshes;
+}
+
 void CompareShells(const BenchmarkMesh& mesh, int frames)
 {
-  ShellBenchmark::Run(mesh.Name, mesh.Grid, 400, frames);
-  const int sizes[3][2] = { { 20, 300 }, { 32, 400 }, { 64, 500 } };
-  for (const auto& size : sizes)
+  const int samples[4] = { 400, 300, 400, 500 };
+  const std::vector<BenchmarkMesh> meshes = MakePaperMeshes(mesh);
+  for (size_t i = 0; i < meshes.size(); ++i)
   {
-    const auto lattice = SortBenchmark::MakeLattice(size[0]);
-    SortMeshes::AddScalar(lattice);
-    ShellBenchmark::Run(
-      "lattice of " + std::to_string(size[0]) + "^3", lattice, size[1], frames);
+    ShellBenchmark::Run(meshes[i].Name, meshes[i].Grid, samples[i], frames);
+  }
+}
+
+void CompareSurfaces(const BenchmarkMesh& mesh, int frames)
+{
+  for (const BenchmarkMesh& each : MakePaperMeshes(mesh))
+  {
+    IsoBenchmark::Run(each.Name, each.Grid, frames);
   }
 }
 }
@@ -276,6 +296,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "shells")
   {
     CompareShells(mesh, frames);
+  }
+  if (section.empty() || section == "surfaces")
+  {
+    CompareSurfaces(mesh, frames);
   }
   return EXIT_SUCCESS;
 }
