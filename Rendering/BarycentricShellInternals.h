@@ -74,11 +74,37 @@ public:
     return drawn;
   }
 
+  void MakeTriangles(const PreparedVolume& prepared, FrameStatistics& statistics)
+  {
+    this->Elements.TakeCorners(prepared);
+    this->Surfaces.MakeTriangles(
+      prepared, this->Elements.Selection.Corners, this->Elements.CornersTime);
+    const IsoTriangles& triangles = this->Surfaces.GetTriangles();
+    this->Elements.CountTurnedCells(prepared, &triangles.Cells);
+    const auto cells = static_cast<vtkIdType>(this->Elements.Selection.Corners.size() / 4);
+    statistics.CellsDrawn = static_cast<vtkIdType>(triangles.Cells.size());
+    statistics.CellsSkippedTransparent =
+      cells - statistics.CellsDrawn - triangles.NumberOfInvalidCells;
+    statistics.CellsSkippedInvalid +=
+      triangles.NumberOfInvalidCells + triangles.NumberOfLostTriangles;
+  }
+
+  bool DrawIntoWindow(
+    const CellProjectionFrame& frame, const PreparedVolume& prepared, std::string& failure)
+  {
+    const bool drawn = this->Surfaces.DrawIntoWindow(
+      frame, prepared, this->Elements.Selection.Corners, this->Elements.CornersTime);
+    failure = this->Surfaces.GetFailure();
+    return drawn;
+  }
+
   bool DrawSurfaces(
     const CellProjectionFrame& frame, const PreparedVolume& prepared, std::string& failure)
   {
+    const bool asTriangles = this->Surfaces.AreTriangles();
     this->HasSurfaces = this->Surfaces.Draw(frame, prepared, this->Elements.Selection.Corners,
-      this->Elements.CornersTime, this->Elements.MakeVertices(), this->Buffers);
+      this->Elements.CornersTime,
+      asTriangles ? std::vector<int>() : this->Elements.MakeVertices(), this->Buffers);
     this->SurfacesFrame = frame;
     failure = this->Surfaces.GetFailure();
     return this->HasSurfaces;

@@ -6,6 +6,7 @@
 #include "ShadingBuffers.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
+#include "cpElementGradient.h"
 #include "cpIsoBlend.h"
 #include "cpIsoDepth.h"
 #include "cpIsoFragment.h"
@@ -21,6 +22,7 @@
 #include CELLPROJECTION_OPENGL_HEADER
 
 #include <glm/gtc/type_ptr.hpp>
+#include <glm/vec2.hpp>
 
 namespace
 {
@@ -30,9 +32,9 @@ constexpr int MaximumLayers = 64;
 std::string SurfaceSource(bool isLit)
 {
   std::string source = ElementShaders::WithElement(cpIsoFragment);
-  vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", isLit ? cpIsoPoint : "");
+  vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", isLit ? std::string(cpElementGradient) + cpIsoPoint : "");
   vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Impl",
-    isLit ? "beginIsoPoint(at + found.x * slope, base + found.x);" : "");
+    isLit ? "beginIsoPoint(gradientOfElement(at + found.x * slope), base + found.x);" : "");
   vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec",
     isLit ? std::string(cpLighting) + cpPointLight : cpNoLighting);
   return source;
@@ -40,27 +42,34 @@ std::string SurfaceSource(bool isLit)
 }
 
 //------------------------------------------------------------------------------
-bool IsoRaster::Prepare(vtkOpenGLRenderWindow* window, const View& view, bool isLit)
+bool IsoRaster::Prepare(
+  vtkOpenGLRenderWindow* window, const View& view, const ShadingBuffers& shading)
 {
   if (!this->Layers.Prepare(window, view.Width, view.Height))
   {
     this->Failure = "the driver cannot render to floats with a float depth";
     return false;
   }
-  vtkShaderProgram* blend = this->Blend.Ready(window, cpIsoBlend);
-  this->Surfaces = ElementShaders::ReadyProgram(window, view, SurfaceSource(isLit), true);
-  if (!blend || !this->Surfaces)
+  if (view.Triangles && !this->Triangles.Prepare(window, view, *view.Triangles, shading))
   {
-    this->Failure = "the iso-surfaces' shaders did not compile";
+    this->Failure = this->Triangles.GetFailure();
+    return false;
   }
-  return blend && this->Surfaces;
+  this->Surfaces = view.Triangles
+                     ? nullptr
+                     : ElementShaders::ReadyProgram(
+                         window, view, SurfaceSource(shading.IsLit()), true);
+  const bool isReady =
+    this->Blend.Ready(window, cpIsoBlend) && (view.Triangles || this->Surfaces);
+  this->Failure = isReady ? "" : "the iso-surfaces' shaders did not compile";
+  return isReady;
 }
 
 //------------------------------------------------------------------------------
 bool IsoRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers,
   ShadingBuffers& shading)
 {
-  if (!this->Prepare(window, view, shading.IsLit()))
+  if (!this->Prepare(window, view, shading))
   {
     return false;
   }
@@ -69,6 +78,65 @@ bool IsoRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementBuf
   const vtkOpenGLState::ScopedglDepthFunc depthFunction(state);
   state->vtkglBlendFuncSeparate(GL_ONE_MINUS_DST_ALPHA, GL_ONE, GL_ONE_MINUS_DST_ALPHA, GL_ONE);
   view.OpaqueDepth->Activate();
+  if (view.Triangles)
+  {
+    this->DrawTriangles(window, view, shading);
+  }
+  else
+  {
+    this->DrawElements(window, view, buffers, shading);
+  }
+  view.OpaqueDepth->Deactivate();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void IsoRaster::DrawTriangles(
+  vtkOpenGLRenderWindow* window, const View& view, ShadingBuffers& shading)
+{
+  const glm::vec4 shareOfMesh(-view.Depths[0], 1.0f, view.Depths[1], 0.0f);
+  this->Layers.BeginLayer(window, true);
+  this->Triangles.Draw(window, view, *view.Triangles, shading, shareOfMesh);
+  this->Layers.EndLayer(window);
+  this->BlendLayer(window);
+}
+
+//------------------------------------------------------------------------------
+bool IsoRaster::DrawIntoWindow(vtkOpenGLRenderWindow* window, const View& view,
+  const int origin[2], ShadingBuffers& shading)
+{
+  ViewRays rays = *view.Rays;
+  rays.Pixel += glm::vec2(origin[0], origin[1]);
+  RasterView inWindow = view;
+  inWindow.Rays = &rays;
+  inWindow.OpaqueDepth = nullptr;
+  if (!this->Triangles.Prepare(window, inWindow, *view.Triangles, shading))
+  {
+    this->Failure = this->Triangles.GetFailure();
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  const vtkOpenGLState::ScopedglDepthMask mask(state);
+  const vtkOpenGLState::ScopedglDepthFunc function(state);
+  const vtkOpenGLState::ScopedglEnableDisable test(state, GL_DEPTH_TEST);
+  const vtkOpenGLState::ScopedglEnableDisable blend(state, GL_BLEND);
+  const vtkOpenGLState::ScopedglEnableDisable cull(state, GL_CULL_FACE);
+  state->vtkglEnable(GL_DEPTH_TEST);
+  state->vtkglDepthMask(GL_TRUE);
+  state->vtkglDepthFunc(GL_LESS);
+  state->vtkglDisable(GL_BLEND);
+  state->vtkglDisable(GL_CULL_FACE);
+  const glm::vec4& z = rays.DepthFromWindow;
+  this->Triangles.Draw(
+    window, inWindow, *view.Triangles, shading, glm::vec4(z.x, -z.z, -z.y, z.w));
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void IsoRaster::DrawElements(vtkOpenGLRenderWindow* window, const View& view,
+  ElementBuffers& buffers, ShadingBuffers& shading)
+{
+  window->GetShaderCache()->ReadyShaderProgram(this->Surfaces);
   RayUniforms::Set(this->Surfaces, view);
   buffers.Activate(this->Surfaces);
   if (shading.IsLit())
@@ -80,7 +148,7 @@ bool IsoRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementBuf
   this->Surfaces->SetUniformi("numberOfIsoValues", static_cast<int>(view.Values.size()));
   this->Surfaces->SetUniform2f("isoDepths", view.Depths.data());
   bool found = true;
-  for (int layer = 0; found && layer < (view.IsOpaque ? 1 : MaximumLayers); ++layer)
+  for (int layer = 0; found && layer < MaximumLayers; ++layer)
   {
     found = this->DrawLayer(window, view, layer);
     this->BlendLayer(window);
@@ -90,8 +158,6 @@ bool IsoRaster::Draw(vtkOpenGLRenderWindow* window, const View& view, ElementBuf
     shading.Deactivate();
   }
   buffers.Deactivate();
-  view.OpaqueDepth->Deactivate();
-  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -152,6 +218,7 @@ void IsoRaster::DrawDepth(vtkOpenGLRenderWindow* window, const View& view, const
 void IsoRaster::ReleaseGraphicsResources(vtkWindow* window)
 {
   this->Vertices.ReleaseGraphicsResources();
+  this->Triangles.ReleaseGraphicsResources(window);
   this->Layers.ReleaseGraphicsResources(window);
   this->Blend.ReleaseGraphicsResources();
   this->Depth.ReleaseGraphicsResources();

@@ -65,26 +65,113 @@ bool IsoSurfaces::IsEmpty(float low, float high) const
 }
 
 //------------------------------------------------------------------------------
+void IsoSurfaces::MakeTriangles(const PreparedVolume& prepared, const std::vector<int>& corners,
+  const vtkTimeStamp& cornersTime)
+{
+  if (this->TriangleSource.CutTime < cornersTime || this->TriangleSource.CutTime < prepared.ScalarsTime ||
+      this->Values != this->CutValues)
+  {
+    this->Triangles.Cut(corners, prepared.Scalars.Values, this->Values);
+    this->CutValues = this->Values;
+    this->TriangleSource.CutTime.Modified();
+  }
+  if (this->TriangleSource.VerticesTime < this->TriangleSource.CutTime ||
+      this->TriangleSource.VerticesTime < prepared.PointsTime)
+  {
+    this->Triangles.Move(prepared.Coordinates.Points);
+    this->TriangleSource.VerticesTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+void IsoSurfaces::ShadeTriangles(const PreparedVolume& prepared)
+{
+  if (this->WantsAllPoints || this->WantedTime < this->TriangleSource.CutTime)
+  {
+    this->WantedPoints = this->Triangles.FindPoints(prepared.Coordinates.Points.size() / 4);
+    this->Shading.SetWantedPoints(&this->WantedPoints);
+    this->WantsAllPoints = false;
+    this->WantedTime.Modified();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool IsoSurfaces::Shade(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+  const std::vector<int>& corners, const vtkTimeStamp& cornersTime)
+{
+  const bool isLit = frame.Volume->GetProperty()->GetShade() != 0;
+  if (!this->IsOpaque && !this->WantsAllPoints)
+  {
+    this->Shading.SetWantedPoints(nullptr);
+    this->WantsAllPoints = true;
+  }
+  if (this->IsOpaque && isLit)
+  {
+    this->ShadeTriangles(prepared);
+  }
+  this->Failure.clear();
+  this->Shading.Prepare(frame, prepared, corners, cornersTime, this->Failure);
+  if (!this->IsOpaque)
+  {
+    return this->Buffers.Upload(frame.Window, this->Shading);
+  }
+  this->Buffers.TakeLights(this->Shading);
+  if (isLit && (this->TriangleSource.GradientsTime < this->Shading.GradientsTime ||
+                 this->TriangleSource.GradientsTime < this->TriangleSource.CutTime))
+  {
+    this->Triangles.Shade(this->Shading.Gradients.Values);
+    this->TriangleSource.GradientsTime.Modified();
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+IsoRaster::View IsoSurfaces::MakeView(
+  const CellProjectionFrame& frame, const PreparedVolume& prepared)
+{
+  IsoRaster::View view;
+  static_cast<RasterView&>(view) = frame.GetRasterView();
+  this->Depths = MeshExtent::FindDepths(prepared.Coordinates, view);
+  view.Depths = this->Depths;
+  view.Values = this->Values;
+  if (this->IsOpaque)
+  {
+    this->TriangleSource.Triangles = &this->Triangles;
+    this->TriangleSource.Colors.clear();
+    for (const IsoTriangles::Surface& surface : this->Triangles.Surfaces)
+    {
+      this->TriangleSource.Colors.emplace_back(prepared.Function.ValueAt(surface.Value));
+    }
+    view.Triangles = &this->TriangleSource;
+  }
+  return view;
+}
+
+//------------------------------------------------------------------------------
+bool IsoSurfaces::DrawIntoWindow(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+  const std::vector<int>& corners, const vtkTimeStamp& cornersTime)
+{
+  this->Shade(frame, prepared, corners, cornersTime);
+  const IsoRaster::View view = this->MakeView(frame, prepared);
+  const bool drawn = this->Raster.DrawIntoWindow(frame.Window, view, frame.Origin, this->Buffers);
+  this->Failure = drawn ? this->Failure : this->Raster.GetFailure();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
 bool IsoSurfaces::Draw(const CellProjectionFrame& frame, const PreparedVolume& prepared,
   const std::vector<int>& corners, const vtkTimeStamp& cornersTime,
   const std::vector<int>& vertices, ElementBuffers& buffers)
 {
-  std::string problem;
-  this->Shading.Prepare(frame, prepared, corners, cornersTime, problem);
-  if (!this->Buffers.Upload(frame.Window, this->Shading))
+  if (!this->Shade(frame, prepared, corners, cornersTime))
   {
     this->Failure = this->Buffers.GetFailure();
     return false;
   }
-  IsoRaster::View view;
-  static_cast<RasterView&>(view) = frame.GetRasterView();
-  this->Depths = MeshExtent::FindDepths(prepared.Coordinates, view);
+  IsoRaster::View view = this->MakeView(frame, prepared);
   view.Vertices = &vertices;
-  view.Values = this->Values;
-  view.IsOpaque = this->IsOpaque;
-  view.Depths = this->Depths;
   const bool drawn = this->Raster.Draw(frame.Window, view, buffers, this->Buffers);
-  this->Failure = drawn ? problem : this->Raster.GetFailure();
+  this->Failure = drawn ? this->Failure : this->Raster.GetFailure();
   return drawn;
 }
 

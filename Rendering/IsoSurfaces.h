@@ -2,6 +2,7 @@
 #define IsoSurfaces_h
 
 #include "IsoRaster.h"
+#include "IsoTriangles.h"
 #include "ShadingBuffers.h"
 #include "VolumeShading.h"
 
@@ -9,13 +10,15 @@
 #include <vector>
 
 class ElementBuffers;
-class vtkTimeStamp;
 struct CellProjectionFrame;
 struct PreparedVolume;
 
 /**
  * @class IsoSurfaces
  * @brief The iso-surfaces that a volume's property asks for, from its values to the window's depth.
+ *
+ * Where all of them are opaque, they are drawn as triangles: these are made again where points,
+ * scalars, cells or values change.
  */
 class IsoSurfaces
 {
@@ -27,7 +30,18 @@ public:
   /// Whether no surface passes between these normalised scalars.
   bool IsEmpty(float low, float high) const;
 
-  /// `corners`: 4 ids per cell, made at `cornersTime`; `vertices`, as ElementLists gives them. Into
+  /// Whether triangles are drawn: after TakeValues.
+  bool AreTriangles() const { return this->IsOpaque; }
+  /// `corners`: 4 ids per cell, made at `cornersTime`.
+  void MakeTriangles(const PreparedVolume& prepared, const std::vector<int>& corners,
+    const vtkTimeStamp& cornersTime);
+  const IsoTriangles& GetTriangles() const { return this->Triangles; }
+  const IsoTriangleRaster& GetTriangleRaster() const { return this->Raster.GetTriangles(); }
+  /// After MakeTriangles, into the window and its depth: no image, and no DrawDepth.
+  bool DrawIntoWindow(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+    const std::vector<int>& corners, const vtkTimeStamp& cornersTime);
+
+  /// `vertices`, as ElementLists gives them, where there are no triangles. Into
   /// the bound framebuffer; false, with the reason in GetFailure, where it cannot.
   bool Draw(const CellProjectionFrame& frame, const PreparedVolume& prepared,
     const std::vector<int>& corners, const vtkTimeStamp& cornersTime,
@@ -40,6 +54,18 @@ public:
   const std::string& GetFailure() const { return this->Failure; }
 
 private:
+  IsoRaster::View MakeView(const CellProjectionFrame& frame, const PreparedVolume& prepared);
+  bool Shade(const CellProjectionFrame& frame, const PreparedVolume& prepared,
+    const std::vector<int>& corners, const vtkTimeStamp& cornersTime);
+  void ShadeTriangles(const PreparedVolume& prepared);
+
+  IsoTriangles Triangles;
+  IsoTriangleRaster::Source TriangleSource;
+  std::vector<float> CutValues;
+  std::vector<int> WantedPoints;
+  vtkTimeStamp WantedTime;
+  bool WantsAllPoints = true;
+
   VolumeShading Shading;
   ShadingBuffers Buffers;
   IsoRaster Raster;

@@ -1,8 +1,11 @@
 #include "MeshCoordinates.h"
 
+#include "vtkAOSDataArrayTemplate.h"
+#include "vtkArrayDispatch.h"
 #include "vtkBoundingBox.h"
 #include "vtkCellArray.h"
 #include "vtkCellArrayIterator.h"
+#include "vtkDataArrayRange.h"
 #include "vtkPoints.h"
 #include "vtkSMPTools.h"
 #include "vtkSmartPointer.h"
@@ -14,6 +17,9 @@
 
 namespace
 {
+using PointArrays =
+  vtkTypeList::Create<vtkAOSDataArrayTemplate<float>, vtkAOSDataArrayTemplate<double>>;
+
 // Points that no cell uses (cut-off parts, values that are not numbers) must not move the centre.
 std::vector<unsigned char> FindUsedPoints(vtkUnstructuredGrid* mesh)
 {
@@ -77,18 +83,32 @@ void MeshCoordinates::Move(vtkUnstructuredGrid* mesh)
       mesh->GetPoints(), WithoutNonFinite(mesh, this->UsedPoints).data(), bounds);
   }
   this->SetExtent(bounds);
-  this->Points.assign(4 * static_cast<size_t>(mesh->GetNumberOfPoints()), 0.0f);
-  vtkSMPTools::For(0, mesh->GetNumberOfPoints(),
+  this->Points.resize(4 * static_cast<size_t>(mesh->GetNumberOfPoints()));
+  vtkDataArray* points = mesh->GetPoints()->GetData();
+  const auto take = [this](auto* array) { this->TakePoints(array); };
+  if (!vtkArrayDispatch::DispatchByArray<PointArrays>::Execute(points, take))
+  {
+    this->TakePoints(points);
+  }
+}
+
+//------------------------------------------------------------------------------
+template <class Array>
+void MeshCoordinates::TakePoints(Array* array)
+{
+  const auto points = vtk::DataArrayTupleRange<3>(array);
+  vtkSMPTools::For(0, points.size(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType id = begin; id < end; ++id)
       {
-        double point[3];
-        mesh->GetPoint(id, point);
+        const auto point = points[id];
         for (int i = 0; i < 3; ++i)
         {
-          this->Points[4 * id + i] = static_cast<float>((point[i] - this->Center[i]) / this->Scale);
+          const double offset = static_cast<double>(point[i]) - this->Center[i];
+          this->Points[4 * id + i] = static_cast<float>(offset / this->Scale);
         }
+        this->Points[4 * id + 3] = 0.0f;
       }
     });
 }

@@ -29,6 +29,8 @@ public:
 
 private:
   void SetExtent(const double bounds[6]);
+  template <class Array>
+  void TakePoints(Array* array);
 
   std::vector<unsigned char> UsedPoints;
 };

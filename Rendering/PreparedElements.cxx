@@ -63,7 +63,8 @@ const std::vector<MeshBlock>& PreparedElements::CutIntoBlocks(
 }
 
 //------------------------------------------------------------------------------
-void PreparedElements::CountTurnedCells(const PreparedVolume& prepared)
+void PreparedElements::CountTurnedCells(
+  const PreparedVolume& prepared, const std::vector<int>* among)
 {
   const std::vector<float>& points = prepared.Coordinates.Points;
   if (this->TurnedTime < prepared.CellsTime)
@@ -73,7 +74,9 @@ void PreparedElements::CountTurnedCells(const PreparedVolume& prepared)
   }
   else if (this->TurnedTime < prepared.PointsTime)
   {
-    this->NumberOfTurnedCells = this->Turned.Count(points, this->Selection.Corners);
+    const std::vector<int>& corners = this->Selection.Corners;
+    this->NumberOfTurnedCells =
+      among ? this->Turned.Count(points, corners, *among) : this->Turned.Count(points, corners);
   }
   this->TurnedTime.Modified();
 }

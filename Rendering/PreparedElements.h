@@ -25,6 +25,9 @@ public:
   /// Of anything else; found in every frame.
   void Select(const PreparedVolume& prepared, const TetrahedraSelection::Emptiness& isEmpty);
 
+  /// Their corners alone, for those who select and draw them otherwise.
+  void TakeCorners(const PreparedVolume& prepared);
+
   /// All of them.
   void SelectAll(const PreparedVolume& prepared);
 
@@ -33,6 +36,8 @@ public:
 
   /// After Select, for this view.
   void FindSeen(const PreparedVolume& prepared, const RasterView& view);
+  /// The cells that moved points have turned, of all or of these; FindSeen counts all.
+  void CountTurnedCells(const PreparedVolume& prepared, const std::vector<int>* among = nullptr);
   void FillStatistics(FrameStatistics& statistics) const;
 
   /// Those that are seen as ElementLists gives them: as they come, or in an order of all cells.
@@ -47,8 +52,6 @@ public:
   vtkIdType NumberOfTurnedCells = 0;
 
 private:
-  void TakeCorners(const PreparedVolume& prepared);
-  void CountTurnedCells(const PreparedVolume& prepared);
   void Append(vtkIdType cell, std::vector<int>& vertices) const;
 
   MeshBlocks Blocks;

@@ -13,6 +13,8 @@ std::string RayUniforms::WithRay(const std::string& fragment, const RasterView& 
 {
   std::string source = fragment;
   vtkShaderProgram::Substitute(source, "//VTK::Ray::Dec", cpRay);
+  vtkShaderProgram::Substitute(source, "//VTK::OpaqueDepth::Impl",
+    view.OpaqueDepth ? "stopAtOpaque(ray.limits);" : "");
   vtkShaderProgram::Substitute(source, "//VTK::ClipRay::Impl",
     view.ClippingPlanes->empty() ? "" : "clipRay(view, ray.limits);");
   return source;
@@ -27,7 +29,10 @@ void RayUniforms::Set(vtkShaderProgram* program, const RasterView& view)
   program->SetUniform2f("viewportSize", size);
   glm::mat4 meshToClip = rays.MeshToClip;
   program->SetUniformMatrix4x4("meshToClip", glm::value_ptr(meshToClip));
-  program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
+  if (view.OpaqueDepth)
+  {
+    program->SetUniformi("opaqueDepth", view.OpaqueDepth->GetTextureUnit());
+  }
   program->SetUniform2f("rayPixel", glm::value_ptr(rays.Pixel));
   program->SetUniform3fv("rayPoint", 3, glm::value_ptr(rays.Point[0]));
   program->SetUniform3fv("rayDirection", 3, glm::value_ptr(rays.Direction[0]));

@@ -12,6 +12,7 @@ list(APPEND sources
   Rendering/ApproximationRaster.cxx
   Rendering/ApproximationTriangles.cxx
   Rendering/BackToFrontOrder.cxx
+  Rendering/BarycentricShellSettings.cxx
   Rendering/BlendModeAdvice.cxx
   Rendering/CellPlanes.cxx
   Rendering/CellShapes.cxx
@@ -47,6 +48,8 @@ list(APPEND sources
   Rendering/IsoLayers.cxx
   Rendering/IsoRaster.cxx
   Rendering/IsoSurfaces.cxx
+  Rendering/IsoTriangleRaster.cxx
+  Rendering/IsoTriangles.cxx
   Rendering/LightReader.cxx
   Rendering/MapperInput.cxx
   Rendering/MapperMessages.cxx

@@ -10,12 +10,18 @@
 #include <cmath>
 
 //------------------------------------------------------------------------------
-bool ShadingBuffers::Upload(vtkOpenGLRenderWindow* window, const VolumeShading& shading)
+void ShadingBuffers::TakeLights(const VolumeShading& shading)
 {
   this->Lit = shading.IsLit;
   this->GradientToView = shading.GradientToView;
   this->GradientScale = shading.GradientScale;
   this->PackLights(shading.Lighting);
+}
+
+//------------------------------------------------------------------------------
+bool ShadingBuffers::Upload(vtkOpenGLRenderWindow* window, const VolumeShading& shading)
+{
+  this->TakeLights(shading);
   if (this->GradientsUploaded < shading.GradientsTime)
   {
     if (!this->Gradients.Upload(window, shading.Gradients.Values, 4))
@@ -119,13 +125,19 @@ void ShadingBuffers::Activate(vtkShaderProgram* program)
 {
   this->ActivateColors(program);
   this->Gradients.Activate(program, "pointGradients");
-  program->SetUniformMatrix3x3("gradientToView", glm::value_ptr(this->GradientToView));
   if (this->HasGradientOpacity())
   {
     this->Nodes.Activate(program, "gradientNodes");
     program->SetUniformi("numberOfGradientNodes", this->NumberOfNodes);
     program->SetUniformf("gradientScale", this->GradientScale);
   }
+  this->ActivateLights(program);
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::ActivateLights(vtkShaderProgram* program)
+{
+  program->SetUniformMatrix3x3("gradientToView", glm::value_ptr(this->GradientToView));
   if (this->Lit)
   {
     const int lights = static_cast<int>(this->Lights.size());

@@ -28,12 +28,16 @@ public:
   /// What changed since the last time alone is uploaded. False, with the reason in GetFailure,
   /// where the driver has no room for it. The context must be current.
   bool Upload(vtkOpenGLRenderWindow* window, const VolumeShading& shading);
+  /// For those who have gradients of their own: all but them.
+  void TakeLights(const VolumeShading& shading);
 
   bool IsLit() const { return this->Lit; }
   bool HasGradientOpacity() const { return this->NumberOfNodes > 0; }
   DependentColors::Kinds GetColors() const { return this->Colors; }
 
   void Activate(vtkShaderProgram* program);
+  /// cpLighting.glsl alone, with what takes gradients to view coordinates.
+  void ActivateLights(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
   const std::string& GetFailure() const { return this->Failure; }

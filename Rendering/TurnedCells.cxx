@@ -37,18 +37,36 @@ void TurnedCells::TakeSides(const std::vector<float>& points, const std::vector<
 }
 
 //------------------------------------------------------------------------------
-vtkIdType TurnedCells::Count(
-  const std::vector<float>& points, const std::vector<int>& corners) const
+template <class CellAt>
+vtkIdType TurnedCells::CountAmong(vtkIdType count, const std::vector<float>& points,
+  const std::vector<int>& corners, const CellAt& cellAt) const
 {
   vtkSMPThreadLocal<vtkIdType> turned(0);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sides.size()),
+  vtkSMPTools::For(0, count,
     [&](vtkIdType begin, vtkIdType end)
     {
-      vtkIdType& count = turned.Local();
-      for (vtkIdType cell = begin; cell < end; ++cell)
+      vtkIdType& found = turned.Local();
+      for (vtkIdType i = begin; i < end; ++i)
       {
-        count += this->Sides[cell] * SideOf(points, &corners[4 * cell]) < 0 ? 1 : 0;
+        const vtkIdType cell = cellAt(i);
+        found += this->Sides[cell] * SideOf(points, &corners[4 * cell]) < 0 ? 1 : 0;
       }
     });
   return std::accumulate(turned.begin(), turned.end(), vtkIdType(0));
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TurnedCells::Count(
+  const std::vector<float>& points, const std::vector<int>& corners) const
+{
+  return this->CountAmong(
+    static_cast<vtkIdType>(this->Sides.size()), points, corners, [](vtkIdType i) { return i; });
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TurnedCells::Count(const std::vector<float>& points, const std::vector<int>& corners,
+  const std::vector<int>& cells) const
+{
+  return this->CountAmong(static_cast<vtkIdType>(cells.size()), points, corners,
+    [&cells](vtkIdType i) { return static_cast<vtkIdType>(cells[i]); });
 }

@@ -17,8 +17,15 @@ public:
 
   /// How many cells are on the other side with these points.
   vtkIdType Count(const std::vector<float>& points, const std::vector<int>& corners) const;
+  /// How many of these.
+  vtkIdType Count(const std::vector<float>& points, const std::vector<int>& corners,
+    const std::vector<int>& cells) const;
 
 private:
+  template <class CellAt>
+  vtkIdType CountAmong(vtkIdType count, const std::vector<float>& points,
+    const std::vector<int>& corners, const CellAt& cellAt) const;
+
   std::vector<signed char> Sides;
 };
 

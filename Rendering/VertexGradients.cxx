@@ -53,13 +53,14 @@ VertexGradients::Share VertexGradients::ShareOf(
 }
 
 //------------------------------------------------------------------------------
-void VertexGradients::Gather(const std::vector<Share>& shares, size_t point)
+template <class ShareOfCell>
+void VertexGradients::Gather(size_t point, const ShareOfCell& shareOf)
 {
   glm::dvec3 gradient(0.0);
   double volume = 0.0;
   for (size_t i = this->First[point]; i < this->First[point + 1]; ++i)
   {
-    const Share& share = shares[this->Cells[i]];
+    const Share share = shareOf(this->Cells[i]);
     gradient += glm::make_vec3(share.Gradient);
     volume += share.Volume;
   }
@@ -86,7 +87,23 @@ void VertexGradients::Build(const std::vector<float>& points, const std::vector<
     {
       for (vtkIdType point = begin; point < end; ++point)
       {
-        this->Gather(shares, static_cast<size_t>(point));
+        this->Gather(static_cast<size_t>(point), [&shares](int cell) { return shares[cell]; });
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void VertexGradients::BuildAt(const std::vector<int>& wanted, const std::vector<float>& points,
+  const std::vector<int>& corners, const std::vector<float>& scalars)
+{
+  this->Values.resize(4 * (this->First.size() - 1));
+  vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Gather(static_cast<size_t>(wanted[i]), [&](int cell)
+          { return ShareOf(points, &corners[4 * static_cast<size_t>(cell)], scalars.data()); });
       }
     });
 }

@@ -25,6 +25,10 @@ public:
   void Build(const std::vector<float>& points, const std::vector<int>& corners,
     const std::vector<float>& scalars);
 
+  /// At these points alone; the others keep what they have.
+  void BuildAt(const std::vector<int>& wanted, const std::vector<float>& points,
+    const std::vector<int>& corners, const std::vector<float>& scalars);
+
   /// Zero everywhere: what scalars that are constant in their cells have inside.
   void BuildZero();
 
@@ -38,7 +42,9 @@ private:
     double Volume;
   };
   static Share ShareOf(const std::vector<float>& points, const int* corners, const float* scalars);
-  void Gather(const std::vector<Share>& shares, std::size_t point);
+  /// `shareOf` a cell around the point.
+  template <class ShareOfCell>
+  void Gather(std::size_t point, const ShareOfCell& shareOf);
 
   // The cells around point i: Cells[First[i]] up to Cells[First[i + 1]].
   std::vector<std::size_t> First;

@@ -52,11 +52,15 @@ void VolumeShading::PrepareGradients(const PreparedVolume& prepared,
     this->LinksTime.Modified();
   }
   if (this->GradientsTime < this->LinksTime || this->GradientsTime < prepared.PointsTime ||
-      this->GradientsTime < prepared.ScalarsTime)
+      this->GradientsTime < prepared.ScalarsTime || this->GradientsTime < this->WantedTime)
   {
     if (prepared.Scalars.OnePerCell)
     {
       this->Gradients.BuildZero();
+    }
+    else if (this->WantedPoints)
+    {
+      this->Gradients.BuildAt(*this->WantedPoints, points, corners, prepared.Scalars.Values);
     }
     else
     {

@@ -35,6 +35,13 @@ public:
     return this->IsLit || this->HasGradientOpacity || this->Colors.Kind != DependentColors::None;
   }
 
+  /// Where gradients are needed; null: at all points. Must outlive Prepare.
+  void SetWantedPoints(const std::vector<int>* points)
+  {
+    this->WantedPoints = points;
+    this->WantedTime.Modified();
+  }
+
   bool IsLit = false;
   bool HasGradientOpacity = false;
   DependentColors Colors;
@@ -57,6 +64,8 @@ private:
   void SetMatrix(const CellProjectionFrame& frame, const PreparedVolume& prepared);
 
   vtkTimeStamp LinksTime;
+  const std::vector<int>* WantedPoints = nullptr;
+  vtkTimeStamp WantedTime;
   double GreatestGradient = 1.0;
 };
 

@@ -10,7 +10,6 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
-#include <cmath>
 
 vtkStandardNewMacro(vtkBarycentricShellMapper);
 
@@ -24,83 +23,6 @@ vtkBarycentricShellMapper::vtkBarycentricShellMapper()
 vtkBarycentricShellMapper::~vtkBarycentricShellMapper()
 {
   this->LeaveWindow();
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetSampleDistance(double distance)
-{
-  if (!(distance > 0.0) || !std::isfinite(distance))
-  {
-    vtkErrorMacro("SampleDistance is " << distance << ": it must be positive; "
-                                       << this->SampleDistance << " stays.");
-  }
-  else if (distance != this->SampleDistance || this->SamplesPerRay != 0.0)
-  {
-    this->SampleDistance = distance;
-    this->SamplesPerRay = 0.0;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetSamplesPerRay(double samples)
-{
-  if (!(samples > 0.0) || !std::isfinite(samples))
-  {
-    vtkErrorMacro("SamplesPerRay is " << samples << ": it must be positive; "
-                                      << this->SamplesPerRay << " stays.");
-  }
-  else if (samples != this->SamplesPerRay)
-  {
-    this->SamplesPerRay = samples;
-    this->SampleDistance = 0.0;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetSamplesPerShell(int samples)
-{
-  if (samples != 4 && samples != 8 && samples != 16)
-  {
-    vtkErrorMacro("SamplesPerShell is " << samples << ": it is 4, 8 or 16.");
-  }
-  else if (samples != this->SamplesPerShell)
-  {
-    this->SamplesPerShell = samples;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetMemoryLimit(double limit)
-{
-  if (!(limit >= 0.0) || !std::isfinite(limit))
-  {
-    vtkErrorMacro("MemoryLimit is " << limit << " MiB: it must not be negative; "
-                                    << this->MemoryLimit << " stays.");
-  }
-  else if (limit != this->MemoryLimit)
-  {
-    this->MemoryLimit = limit;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetVisibilitySort(vtkVisibilitySort* sort)
-{
-  if (this->Internal->Sort != sort)
-  {
-    this->Internal->Sort = sort;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkVisibilitySort* vtkBarycentricShellMapper::GetVisibilitySort()
-{
-  return this->Internal->Sort;
 }
 
 //------------------------------------------------------------------------------
@@ -125,22 +47,6 @@ void vtkBarycentricShellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
   {
     internal.Surfaces.DrawDepth(internal.SurfacesFrame);
   }
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::SetVolumeTexture(vtkImageData* image)
-{
-  if (this->Internal->Texture != image)
-  {
-    this->Internal->Texture = image;
-    this->Modified();
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkImageData* vtkBarycentricShellMapper::GetVolumeTexture()
-{
-  return this->Internal->Texture;
 }
 
 //------------------------------------------------------------------------------
@@ -187,14 +93,47 @@ void vtkBarycentricShellMapper::SelectCells(CellProjectionFrame& frame)
     internal.Elements.Select(prepared);
     return;
   }
+  internal.Elements.Select(prepared,
+    [&internal](float low, float high) { return internal.Surfaces.IsEmpty(low, high); });
+}
+
+//------------------------------------------------------------------------------
+bool vtkBarycentricShellMapper::MakeTriangles(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
   std::vector<std::string> problems;
-  internal.Surfaces.TakeValues(frame, prepared, problems);
+  internal.Surfaces.TakeValues(frame, this->GetPreparedVolume(), problems);
   for (const std::string& text : problems)
   {
     this->WarnOnce(text);
   }
-  internal.Elements.Select(prepared,
-    [&internal](float low, float high) { return internal.Surfaces.IsEmpty(low, high); });
+  if (!internal.Surfaces.AreTriangles())
+  {
+    return false;
+  }
+  internal.MakeTriangles(this->GetPreparedVolume(), frame.Statistics);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool vtkBarycentricShellMapper::DrawsIntoWindow() const
+{
+  return this->BlendMode == ISOSURFACE && !this->CaptureImage &&
+         this->Internal->Surfaces.AreTriangles();
+}
+
+//------------------------------------------------------------------------------
+void vtkBarycentricShellMapper::WarnOfTurnedCells(vtkIdType before)
+{
+  // Their number changes with every frame: it is said once, until all are well again.
+  const vtkIdType turned = this->Internal->Elements.NumberOfTurnedCells;
+  if (before == 0 && turned > 0)
+  {
+    vtkWarningMacro("Moved points have turned "
+                    << turned
+                    << " tetrahedra inside out: they are drawn as they are, see "
+                       "GetNumberOfTurnedCells().");
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -207,17 +146,13 @@ void vtkBarycentricShellMapper::SortCells(CellProjectionFrame& frame)
     internal.Buffers.GetTexture().SetSource(internal.Texture,
       internal.Texture ? this->GetPreparedVolume().Cells->GetPointData()->GetTCoords() : nullptr);
     const vtkIdType turned = internal.Elements.NumberOfTurnedCells;
-    this->SelectCells(frame);
-    internal.Elements.FindSeen(this->GetPreparedVolume(), frame.GetRasterView());
-    internal.Elements.FillStatistics(frame.Statistics);
-    // Their number changes with every frame: it is said once, until all are well again.
-    if (turned == 0 && internal.Elements.NumberOfTurnedCells > 0)
+    if (this->BlendMode != ISOSURFACE || !this->MakeTriangles(frame))
     {
-      vtkWarningMacro("Moved points have turned "
-                      << internal.Elements.NumberOfTurnedCells
-                      << " tetrahedra inside out: they are drawn as they are, see "
-                         "GetNumberOfTurnedCells().");
+      this->SelectCells(frame);
+      internal.Elements.FindSeen(this->GetPreparedVolume(), frame.GetRasterView());
+      internal.Elements.FillStatistics(frame.Statistics);
     }
+    this->WarnOfTurnedCells(turned);
   }
   if (this->Method == CELL_PROJECTION && this->BlendMode != ISOSURFACE)
   {
@@ -287,6 +222,8 @@ bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
+  const bool asTriangles =
+    this->BlendMode == ISOSURFACE && internal.Surfaces.AreTriangles();
   bool inShells = this->BlendMode != ISOSURFACE && this->Method == SHELLS;
   if (inShells && !internal.Shells.CanDraw(frame.Window, frame.Size, this->SamplesPerShell))
   {
@@ -296,10 +233,12 @@ bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
     this->OrderCells(frame);
   }
   std::string problem;
-  bool drawn = (!inShells || this->PlanShells(frame)) && this->UploadMesh(frame, inShells);
+  bool drawn = (!inShells || this->PlanShells(frame)) &&
+               (asTriangles || this->UploadMesh(frame, inShells));
   if (drawn)
   {
     drawn = inShells ? internal.DrawShells(frame, prepared, *this, problem)
+            : this->DrawsIntoWindow() ? internal.DrawIntoWindow(frame, prepared, problem)
             : this->BlendMode == ISOSURFACE ? internal.DrawSurfaces(frame, prepared, problem)
                                             : internal.DrawOrdered(frame, problem);
   }
@@ -318,48 +257,6 @@ bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType vtkBarycentricShellMapper::GetNumberOfElementsDrawn() const
-{
-  return this->Internal->Shells.GetNumberOfElements();
-}
-
-//------------------------------------------------------------------------------
-int vtkBarycentricShellMapper::GetNumberOfShells() const
-{
-  return this->Internal->Shells.GetNumberOfShells();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkBarycentricShellMapper::GetMeshBytes() const
-{
-  return static_cast<vtkIdType>(this->Internal->Buffers.GetNumberOfBytes());
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkBarycentricShellMapper::GetTargetBytes() const
-{
-  return this->Internal->TargetBytes;
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkBarycentricShellMapper::GetUploadedBytes() const
-{
-  return static_cast<vtkIdType>(this->Internal->Buffers.GetUploadedBytes());
-}
-
-//------------------------------------------------------------------------------
-double vtkBarycentricShellMapper::GetUploadSeconds() const
-{
-  return this->Internal->Buffers.GetUploadSeconds();
-}
-
-//------------------------------------------------------------------------------
-vtkIdType vtkBarycentricShellMapper::GetNumberOfTurnedCells() const
-{
-  return this->Internal->Elements.NumberOfTurnedCells;
-}
-
-//------------------------------------------------------------------------------
 void vtkBarycentricShellMapper::ReleaseBuffers(vtkWindow* window)
 {
   this->Internal->Buffers.ReleaseGraphicsResources(window);
@@ -367,17 +264,4 @@ void vtkBarycentricShellMapper::ReleaseBuffers(vtkWindow* window)
   this->Internal->Projection.ReleaseGraphicsResources();
   this->Internal->Surfaces.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseBuffers(window);
-}
-
-//------------------------------------------------------------------------------
-void vtkBarycentricShellMapper::PrintSelf(ostream& os, vtkIndent indent)
-{
-  this->Superclass::PrintSelf(os, indent);
-  os << indent << "SampleDistance: " << this->SampleDistance << "\n";
-  os << indent << "SamplesPerRay: " << this->SamplesPerRay << "\n";
-  os << indent << "SamplesPerShell: " << this->SamplesPerShell << "\n";
-  os << indent << "MemoryLimit: " << this->MemoryLimit << "\n";
-  os << indent << "Method: " << this->Method << "\n";
-  os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
-  os << indent << "Integration: " << this->Integration << "\n";
 }

@@ -32,7 +32,9 @@ class vtkVisibilitySort;
  * IsoSurfaceValues, found exactly in every cell, with the colour and the ScalarOpacity of their
  * value (no unit distance), in any number and order. With Shade on they are lit by all lights, with
  * normals from gradients at the points. The nearest surface writes its depth to the window where
- * its opacity is 1. A gradient opacity is not applied to them.
+ * its opacity is 1. A gradient opacity is not applied to them. Where all of them are opaque, they
+ * are drawn as triangles, made on all threads where scalars change; where points move, only the
+ * triangles' vertices move. Unless an image is captured, they go straight into the window.
  *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */
@@ -136,8 +138,9 @@ public:
   /**
    * About the last frame: how many tetrahedra were drawn, each counted once per shell that it
    * overlaps; how many shells there were until all pixels were opaque; how many tetrahedra moved
-   * points have turned inside out since they got their cells (they are drawn as they are); bytes of
-   * points and scalars and of the shell's targets on the GPU, and what was sent of the former.
+   * points have turned inside out since they got their cells (they are drawn as they are; among the
+   * cells that opaque iso-surfaces cut, those alone); bytes of points and scalars, or of triangles,
+   * and of the shell's targets on the GPU, and what was sent of the former.
    */
   vtkIdType GetNumberOfElementsDrawn() const;
   int GetNumberOfShells() const;
@@ -171,6 +174,7 @@ protected:
     return this->Method == SHELLS || this->BlendMode == ISOSURFACE;
   }
   void SortCells(CellProjectionFrame& frame) override;
+  bool DrawsIntoWindow() const override;
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
 
@@ -179,6 +183,8 @@ private:
   void operator=(const vtkBarycentricShellMapper&) = delete;
 
   void SelectCells(CellProjectionFrame& frame);
+  bool MakeTriangles(CellProjectionFrame& frame);
+  void WarnOfTurnedCells(vtkIdType before);
   void OrderCells(CellProjectionFrame& frame);
   bool CheckTexture();
   bool UploadMesh(CellProjectionFrame& frame, bool inShells);

@@ -43,7 +43,7 @@ void vtkConvexCellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->PrepareTransferFunction(frame);
     this->SortCells(frame);
     this->EndPreparation(frame);
-    if (this->Project(frame))
+    if (this->Project(frame) && !this->DrawsIntoWindow())
     {
       this->Blend(frame);
       this->RecordSampling(frame);
@@ -230,6 +230,18 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
 bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsProject);
+  if (!this->DrawsIntoWindow())
+  {
+    return this->ProjectIntoTarget(frame);
+  }
+  const bool drawn = this->ProjectCells(frame);
+  glFinish();
+  return drawn;
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::ProjectIntoTarget(CellProjectionFrame& frame)
+{
   if (!this->Internal->Depth.Grab(frame.Window, frame.Origin, frame.Size))
   {
     this->WarnOnce("The window's depth cannot be read: opaque geometry does not hide the volume.");

@@ -220,6 +220,9 @@ protected:
   }
   /// The Tiles engine's image: premultiplied RGBA of frame.ImageSize; null where nothing can be drawn.
   virtual const float* DrawTiles(CellProjectionFrame&) { return nullptr; }
+  /// True, after SortCells, where ProjectCells draws into the window's framebuffer and its depth, and
+  /// not into the float target: there is no image then. Tiles do not ask.
+  virtual bool DrawsIntoWindow() const { return false; }
   /// Draws the cells into the bound float target. False where nothing can be drawn.
   virtual bool ProjectCells(CellProjectionFrame& frame) = 0;
 
@@ -269,6 +272,7 @@ private:
   bool ProjectByTiles(CellProjectionFrame& frame);
   double ChooseImageSampleDistance(CellProjectionFrame& frame) const;
   void RecordSampling(const CellProjectionFrame& frame);
+  bool ProjectIntoTarget(CellProjectionFrame& frame);
   void Blend(CellProjectionFrame& frame);
   void EndFrame(CellProjectionFrame& frame);
 

@@ -65,6 +65,7 @@ vtkIdType ConvexCellConversion::GetNumberOfBlocks() const
 void ConvexCellConversion::ReadCells()
 {
   this->Reader.Open();
+  this->IsCurved = CurvedCells::HasAny(this->Reader.GetTypes());
 }
 
 void ConvexCellConversion::MergePoints()
@@ -74,7 +75,7 @@ void ConvexCellConversion::MergePoints()
 
 bool ConvexCellConversion::HasCurvedCells() const
 {
-  return CurvedCells::HasAny(this->Reader.GetTypes());
+  return this->IsCurved;
 }
 
 bool ConvexCellConversion::RefineCurvedCells(const std::vector<vtkDataArray*>& arrays,
@@ -261,6 +262,7 @@ void ConvexCellConversion::AllocateCells()
     this->BlockStarts[block].Id += this->BlockStarts[block - 1].Id;
   }
   this->Output.Allocate(this->BlockStarts.back());
+  this->Fates = ConvexCellFates(this->Plans);
 }
 
 void ConvexCellConversion::WriteCell(
@@ -365,7 +367,7 @@ void ConvexCellConversion::FillOutput(vtkUnstructuredGrid* output)
         weights.assign(curved.GetWeights(), curved.GetWeights() + ids->GetNumberOfIds());
       }
     });
-  this->Output.FillCellData(this->Input->GetCellData(), this->Plans, output->GetCellData());
+  this->Output.FillCellData(this->Input->GetCellData(), this->Fates, output->GetCellData());
 }
 
 bool ConvexCellConversion::SharesPointsOf(vtkUnstructuredGridBase* input) const

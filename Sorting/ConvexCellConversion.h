@@ -91,6 +91,8 @@ private:
   StarCells Stars;
 
   std::vector<ConvexCellPlan> Plans;         // by input cell
+  ConvexCellFates Fates;
+  bool IsCurved = false;
   std::vector<ConvexCellCursor> BlockStarts; // one more than there are blocks
   ConvexCellGrid Output;
 };

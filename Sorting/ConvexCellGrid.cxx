@@ -75,13 +75,22 @@ void ConvexCellGrid::FillCells(vtkUnstructuredGrid* output)
   output->CopyStructure(this->Cells);
 }
 
-void ConvexCellGrid::FillCellData(
-  vtkCellData* input, const std::vector<ConvexCellPlan>& plans, vtkCellData* output) const
+ConvexCellFates::ConvexCellFates(const std::vector<ConvexCellPlan>& plans)
+  : NumberOfCells(static_cast<vtkIdType>(plans.size()))
 {
-  const auto fateIs = [](ConvexCellPlan::FateType fate)
-  { return [fate](const ConvexCellPlan& plan) { return plan.Fate == fate; }; };
-  const auto whole = CarriedData::WholeArrays(input, static_cast<vtkIdType>(plans.size()));
-  if (std::all_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Whole)))
+  for (const ConvexCellPlan& plan : plans)
+  {
+    this->AllWhole = this->AllWhole && plan.Fate == ConvexCellPlan::Whole;
+    this->AnyTetrahedra = this->AnyTetrahedra || plan.Fate == ConvexCellPlan::Tetrahedra;
+    this->AnyImaginary = this->AnyImaginary || plan.Fate == ConvexCellPlan::Imaginary;
+  }
+}
+
+void ConvexCellGrid::FillCellData(
+  vtkCellData* input, const ConvexCellFates& fates, vtkCellData* output) const
+{
+  const auto whole = CarriedData::WholeArrays(input, fates.NumberOfCells);
+  if (fates.AllWhole)
   {
     output->PassData(whole);
   }
@@ -90,11 +99,11 @@ void ConvexCellGrid::FillCellData(
     CarriedData::CopyTuples(whole, output, this->SourceCells->GetPointer(0),
       this->SourceCells->GetNumberOfValues());
   }
-  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Tetrahedra)))
+  if (fates.AnyTetrahedra)
   {
     output->SetActiveAttribute(-1, vtkDataSetAttributes::GLOBALIDS);
   }
-  if (std::any_of(plans.begin(), plans.end(), fateIs(ConvexCellPlan::Imaginary)))
+  if (fates.AnyImaginary)
   {
     output->RemoveArray("Imaginary");
   }

@@ -16,6 +16,17 @@ class vtkIdTypeArray;
 class vtkUnsignedCharArray;
 class vtkUnstructuredGrid;
 
+/** Which fates the input's cells have. */
+struct ConvexCellFates
+{
+  explicit ConvexCellFates(const std::vector<ConvexCellPlan>& plans = {});
+
+  vtkIdType NumberOfCells = 0;
+  bool AllWhole = true;
+  bool AnyTetrahedra = false;
+  bool AnyImaginary = false;
+};
+
 class ConvexCellGrid
 {
 public:
@@ -30,9 +41,8 @@ public:
   /** The cells without points; the same objects each time. Without polyhedra, the arrays become
    *  the grid's. */
   void FillCells(vtkUnstructuredGrid* output);
-  /** Data of the input's cells, and SourceCell. `plans`: by input cell. */
-  void FillCellData(
-    vtkCellData* input, const std::vector<ConvexCellPlan>& plans, vtkCellData* output) const;
+  /** Data of the input's cells, and SourceCell. */
+  void FillCellData(vtkCellData* input, const ConvexCellFates& fates, vtkCellData* output) const;
 
   /** How many cells each of the input's cells became. */
   std::vector<int> CountBySource(vtkIdType inputCells) const;

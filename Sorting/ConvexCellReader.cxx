@@ -115,6 +115,12 @@ bool ConvexCellReader::HasSameTypes(vtkUnstructuredGridBase* input) const
 {
   const auto count = static_cast<vtkIdType>(this->Types.size());
   bool same = input->GetNumberOfCells() == count;
+  auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
+  auto* types = grid ? vtkUnsignedCharArray::SafeDownCast(grid->GetCellTypesArray()) : nullptr;
+  if (same && types && types->GetNumberOfValues() == count)
+  {
+    return std::equal(this->Types.begin(), this->Types.end(), types->GetPointer(0));
+  }
   for (vtkIdType cell = 0; same && cell < count; ++cell)
   {
     same = this->Types[cell] == static_cast<unsigned char>(input->GetCellType(cell));

@@ -15,6 +15,7 @@ set(shaders
   cpDirectColour
   cpElement
   cpElementGeometry
+  cpElementGradient
   cpElementInverse
   cpElementPassage
   cpElementProjection
@@ -35,6 +36,8 @@ set(shaders
   cpIsoDepth
   cpIsoFragment
   cpIsoPoint
+  cpIsoTriangleFragment
+  cpIsoTriangleVertex
   cpLayerSearchFragment
   cpLightSides
   cpLightTurns

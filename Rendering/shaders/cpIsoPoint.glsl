@@ -1,9 +1,8 @@
 // A point on an iso-surface for cpLighting.glsl: a way of no length, view coordinates.
 
-uniform samplerBuffer pointGradients; // mesh coordinates (class VertexGradients)
 uniform mat3 gradientToView;
 
-vec3 gradientEntry = vec3(0.0);
+vec3 gradientEntry;
 vec3 wayEntry;
 const vec3 wayRise = vec3(0.0);
 vec3 toEye; // of unit length
@@ -13,13 +12,10 @@ vec3 gradientAt(float share)
   return gradientEntry;
 }
 
-void beginIsoPoint(vec4 barycentric, float depth)
+// `gradient` in mesh coordinates.
+void beginIsoPoint(vec3 gradient, float depth)
 {
-  for (int i = 0; i < 4; ++i)
-  {
-    gradientEntry += barycentric[i] * texelFetch(pointGradients, elementIds[i]).xyz;
-  }
-  gradientEntry = gradientToView * gradientEntry;
+  gradientEntry = gradientToView * gradient;
   vec2 step = gl_FragCoord.xy - rayPixel;
   vec4 view = rayView[0] + step.x * rayView[1] + step.y * rayView[2];
   vec3 direction = vec3(view.zw, -1.0);

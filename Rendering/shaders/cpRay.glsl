@@ -20,6 +20,13 @@ struct Ray
   vec2 limits; // depths of begin and end
 };
 
+void stopAtOpaque(inout vec2 limits)
+{
+  float z = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
+  float opaque = (depthFromWindow.x + depthFromWindow.y * z) / (depthFromWindow.z + depthFromWindow.w * z);
+  limits.y = z < 1.0 ? opaque : limits.y;
+}
+
 void clipRay(vec4 view, inout vec2 limits)
 {
   for (int i = 0; i < numberOfClippingPlanes; ++i)
@@ -42,9 +49,8 @@ Ray rayOfFragment()
   ray.point = rayPoint[0] + step.x * rayPoint[1] + step.y * rayPoint[2];
   ray.direction = rayDirection[0] + step.x * rayDirection[1] + step.y * rayDirection[2];
   ray.depthToLength = length(rayWorld[0] + step.x * rayWorld[1] + step.y * rayWorld[2]);
-  float z = texelFetch(opaqueDepth, ivec2(gl_FragCoord.xy), 0).r;
-  float opaque = (depthFromWindow.x + depthFromWindow.y * z) / (depthFromWindow.z + depthFromWindow.w * z);
-  ray.limits = vec2(rayDepths.y, z < 1.0 ? opaque : rayDepths.z);
+  ray.limits = rayDepths.yz;
+  //VTK::OpaqueDepth::Impl
   //VTK::ClipRay::Impl
   return ray;
 }

@@ -115,6 +115,7 @@ void Compare(vtkUnstructuredGrid* grid, int size, bool shaded, int frames)
   }
   const vtkIdType triangles = vtkPolyData::SafeDownCast(all[1].Contour->GetOutputDataObject(0))->GetNumberOfPolys();
   const double own = Median(all[0].Seconds);
+
   std::printf("%d x %d pixels, %s, %lld triangles\n", size, size, shaded ? "shaded" : "not shaded",
     static_cast<long long>(triangles));
   for (const Contender& contender : all)

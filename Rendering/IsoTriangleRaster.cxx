@@ -1,0 +1,177 @@
+#include "IsoTriangleRaster.h"
+
+#include "IsoTriangles.h"
+#include "RayUniforms.h"
+#include "ShadingBuffers.h"
+#include "VTKVersions.h"
+#include "ViewRays.h"
+#include "cpIsoPoint.h"
+#include "cpIsoTriangleFragment.h"
+#include "cpIsoTriangleVertex.h"
+#include "cpLighting.h"
+#include "cpNoLighting.h"
+#include "cpPointLight.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
+#include "vtkShaderProgram.h"
+
+#include CELLPROJECTION_OPENGL_HEADER
+
+#include <glm/gtc/matrix_access.hpp>
+#include <glm/gtc/type_ptr.hpp>
+
+namespace
+{
+std::string VertexSource(bool isLit)
+{
+  std::string source = cpIsoTriangleVertex;
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Gradient::Dec", isLit ? "out vec3 gradientVSOutput;" : "");
+  vtkShaderProgram::Substitute(source, "//VTK::Gradient::Impl",
+    isLit ? "gradientVSOutput = texelFetch(triangleGradients, gl_VertexID).xyz;" : "");
+  return source;
+}
+
+std::string FragmentSource(bool isLit)
+{
+  std::string source = cpIsoTriangleFragment;
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Gradient::Dec", isLit ? "in vec3 gradientVSOutput;" : "");
+  vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", isLit ? cpIsoPoint : "");
+  vtkShaderProgram::Substitute(
+    source, "//VTK::IsoPoint::Impl", isLit ? "beginIsoPoint(gradientVSOutput, depth);" : "");
+  vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec",
+    isLit ? std::string(cpLighting) + cpPointLight : cpNoLighting);
+  return source;
+}
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangleRaster::Send(vtkOpenGLRenderWindow* window, TextureBuffer& buffer,
+  const std::vector<float>& values, vtkTimeStamp& uploaded)
+{
+  if (!buffer.Upload(window, values, 4))
+  {
+    this->Failure = buffer.GetFailure();
+    return false;
+  }
+  uploaded.Modified();
+  this->UploadedBytes += sizeof(float) * values.size();
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangleRaster::SendTriangles(
+  vtkOpenGLRenderWindow* window, const IsoTriangles& triangles)
+{
+  // A shader cannot read them in threes.
+  std::vector<int> corners;
+  for (size_t i = 0; i < triangles.Triangles.size(); i += 3)
+  {
+    corners.insert(corners.end(), &triangles.Triangles[i], &triangles.Triangles[i] + 3);
+    corners.push_back(0);
+  }
+  this->VertexArray.Bind();
+  const bool isSent =
+    this->Indices->Upload(triangles.Triangles, vtkOpenGLBufferObject::ElementArrayBuffer);
+  EmptyVertexArray::Release();
+  if (!isSent || !this->Corners.Upload(window, corners, 4))
+  {
+    this->Failure = isSent ? this->Corners.GetFailure() : "the driver refused the triangles";
+    return false;
+  }
+  this->TrianglesUploaded.Modified();
+  this->UploadedBytes += sizeof(int) * (triangles.Triangles.size() + corners.size());
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangleRaster::Upload(vtkOpenGLRenderWindow* window, const Source& source, bool isLit)
+{
+  const IsoTriangles& triangles = *source.Triangles;
+  this->NumberOfBytes =
+    sizeof(float) * (triangles.Vertices.size() + (isLit ? triangles.Gradients.size() : 0)) +
+    sizeof(int) * (7 * triangles.Triangles.size() / 3);
+  return (this->TrianglesUploaded > source.CutTime || this->SendTriangles(window, triangles)) &&
+         (this->VerticesUploaded > source.VerticesTime ||
+           this->Send(window, this->Vertices, triangles.Vertices, this->VerticesUploaded)) &&
+         (!isLit || this->GradientsUploaded > source.GradientsTime ||
+           this->Send(window, this->Gradients, triangles.Gradients, this->GradientsUploaded));
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangleRaster::Prepare(vtkOpenGLRenderWindow* window, const RasterView& view,
+  const Source& source, const ShadingBuffers& shading)
+{
+  const bool isLit = shading.IsLit();
+  // The driver has no buffer of nothing.
+  this->UploadedBytes = this->NumberOfBytes = 0;
+  if (!source.Triangles->Triangles.empty() && !this->Upload(window, source, isLit))
+  {
+    return false;
+  }
+  const std::string fragment = RayUniforms::WithRay(FragmentSource(isLit), view);
+  this->Program = window->GetShaderCache()->ReadyShaderProgram(
+    VertexSource(isLit).c_str(), fragment.c_str(), "");
+  if (!this->Program || !this->Program->GetCompiled())
+  {
+    this->Failure = "the iso-surfaces' shaders did not compile";
+    return false;
+  }
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void IsoTriangleRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& view,
+  const Source& source, ShadingBuffers& shading, const glm::vec4& fragmentDepth)
+{
+  if (source.Triangles->Triangles.empty())
+  {
+    return;
+  }
+  window->GetShaderCache()->ReadyShaderProgram(this->Program);
+  RayUniforms::Set(this->Program, view);
+  this->Vertices.Activate(this->Program, "trianglePoints");
+  this->Corners.Activate(this->Program, "triangleCorners");
+  if (shading.IsLit())
+  {
+    this->Gradients.Activate(this->Program, "triangleGradients");
+    shading.ActivateLights(this->Program);
+  }
+  glm::dvec4 meshToDepth = -glm::row(view.Rays->MeshToView, 2);
+  meshToDepth.w -= view.Rays->Reference;
+  const glm::vec4 rounded(meshToDepth);
+  this->Program->SetUniform4f("meshToDepth", glm::value_ptr(rounded));
+  this->Program->SetUniform4f("fragmentDepth", glm::value_ptr(fragmentDepth));
+  this->VertexArray.Bind();
+  this->Indices->Bind();
+  for (size_t i = 0; i < source.Triangles->Surfaces.size(); ++i)
+  {
+    const IsoTriangles::Surface& surface = source.Triangles->Surfaces[i];
+    this->Program->SetUniform3f("isoColour", glm::value_ptr(source.Colors[i]));
+    this->Program->SetUniformi("firstTriangle", static_cast<int>(surface.FirstTriangle));
+    const size_t count = surface.EndTriangle - surface.FirstTriangle;
+    glDrawElements(GL_TRIANGLES, static_cast<int>(3 * count), GL_UNSIGNED_INT,
+      reinterpret_cast<const void*>(3 * sizeof(int) * surface.FirstTriangle));
+  }
+  EmptyVertexArray::Release();
+  this->Indices->Release();
+  this->Corners.Deactivate();
+  this->Vertices.Deactivate();
+  if (shading.IsLit())
+  {
+    this->Gradients.Deactivate();
+  }
+}
+
+//------------------------------------------------------------------------------
+void IsoTriangleRaster::ReleaseGraphicsResources(vtkWindow* window)
+{
+  this->Vertices.ReleaseGraphicsResources(window);
+  this->Gradients.ReleaseGraphicsResources(window);
+  this->Corners.ReleaseGraphicsResources(window);
+  this->Indices->ReleaseGraphicsResources();
+  this->VerticesUploaded = this->GradientsUploaded = this->TrianglesUploaded = vtkTimeStamp();
+  this->VertexArray.ReleaseGraphicsResources();
+  this->Program = nullptr;
+}

@@ -1,0 +1,97 @@
+#ifndef IsoTriangles_h
+#define IsoTriangles_h
+
+#include "vtkType.h"
+
+#include <cstddef>
+#include <vector>
+
+/**
+ * @class IsoTriangles
+ * @brief The exact iso-surfaces of a mesh of tetrahedra, as triangles.
+ *
+ * Where the scalar is linear in a tetrahedron, the points of one value form a triangle or a planar
+ * quadrilateral, whose corners lie on edges (Doi and Koide 1991, in Georgii and Westermann 2006).
+ * A corner is the same to the last bit in all cells around its edge: the surface has no crack. A
+ * face all of whose points have the value belongs to it where a cell rises from it.
+ *
+ * What the scalars decide, the edges that are cut and where, is found apart from what points
+ * decide: points that move cost as much as the surface is large.
+ *
+ * Array shapes: corners 4 ids per cell, ascending; scalars one per point; points 4 floats each
+ * (xyz, one unused), as the gradients. The result: vertices and gradients of 4 floats each, of
+ * which a vertex's last is 1, or 0 where it is not finite; triangles of 3 vertices each.
+ */
+class IsoTriangles
+{
+public:
+  /// The triangles of one value.
+  struct Surface
+  {
+    float Value = 0.0f;
+    std::size_t FirstTriangle = 0;
+    std::size_t EndTriangle = 0;
+  };
+
+  /// Finds the edges that these values cut; uses all threads. Cells with a scalar that is not a
+  /// number have no surface.
+  void Cut(const std::vector<int>& corners, const std::vector<float>& scalars,
+    std::vector<float> values);
+
+  /// Puts the vertices on their edges.
+  void Move(const std::vector<float>& points);
+
+  /// Interpolates gradients to the vertices.
+  void Shade(const std::vector<float>& gradients);
+
+  /// The points of all edges that are cut, each once.
+  std::vector<int> FindPoints(std::size_t numberOfPoints) const;
+
+  std::vector<Surface> Surfaces;
+  std::vector<float> Vertices;
+  std::vector<float> Gradients;
+  std::vector<int> Triangles;
+  /// The cells that are cut.
+  std::vector<int> Cells;
+  vtkIdType NumberOfInvalidCells = 0;
+  /// Those with a vertex that is not finite.
+  vtkIdType NumberOfLostTriangles = 0;
+
+private:
+  /// A vertex: `Share` of the way between two points.
+  struct Edge
+  {
+    int From;
+    int To;
+    float Share;
+  };
+  /// What a stretch of the mesh has.
+  struct Part
+  {
+    std::vector<int> Cells;
+    /// Three vertices per triangle.
+    std::vector<Edge> Edges;
+    vtkIdType NumberOfInvalidCells = 0;
+  };
+
+  void FindLevels(const std::vector<float>& scalars, const std::vector<float>& values);
+  void FindCells(const std::vector<int>& corners, vtkIdType begin, vtkIdType end, Part& part) const;
+  void CutCells(const std::vector<int>& corners, const std::vector<float>& scalars, int index,
+    Part& part) const;
+  void AppendSurface(const std::vector<Part>& parts, float value);
+  int FindVertex(const Edge& edge);
+  void CountLostTriangles();
+  void AppendCells(const std::vector<Part>& parts);
+
+  /// Of each point: twice the number of values below its scalar, and one more on a value.
+  std::vector<unsigned char> Levels;
+  std::vector<float> Values;
+  /// One per vertex.
+  std::vector<Edge> Edges;
+  /// The vertices of the surface in work whose edges begin at a point: the last one; of each vertex
+  /// the one before.
+  std::vector<int> LastOfPoint;
+  std::vector<int> Before;
+};
+
+#endif

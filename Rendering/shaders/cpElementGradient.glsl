@@ -1,0 +1,13 @@
+// The gradient at a point of an element, from those of its corners.
+
+uniform samplerBuffer pointGradients; // mesh coordinates (class VertexGradients)
+
+vec3 gradientOfElement(vec4 barycentric)
+{
+  vec3 gradient = vec3(0.0);
+  for (int i = 0; i < 4; ++i)
+  {
+    gradient += barycentric[i] * texelFetch(pointGradients, elementIds[i]).xyz;
+  }
+  return gradient;
+}
