@@ -1,8 +1,10 @@
 #include "ConvexCellConversion.h"
 
+#include "ConePlan.h"
 #include "ConvexCellReport.h"
 #include "CurvedCells.h"
 #include "PolyhedronPlan.h"
+#include "ReplacedCell.h"
 
 #include "vtkCellData.h"
 #include "vtkCellType.h"
@@ -141,7 +143,7 @@ ConvexCellPlan ConvexCellConversion::PlanCell(
   }
   if (this->Curved && this->Curved->IsReplaced(cell))
   {
-    return this->PlanReplacedCell(cell, cursor);
+    return ReplacedCell::Plan(*this->Curved, this->Points, cell, cursor);
   }
   if (this->IsOfFaces(cell))
   {
@@ -165,17 +167,33 @@ ConvexCellPlan ConvexCellConversion::PlanCell(
   }
   Coordinates* points = this->FetchPoints(scratch.Ids, count, scratch);
   plan = PlanConvexCell(shape, scratch.Ids, points, this->FindCut(type, points));
-  if (plan.Folded)
+  if (plan.Fate == ConvexCellPlan::Tetrahedra && (plan.Thin || plan.Uneven))
   {
-    this->Stars.Try(cell, TetrahedralSplit::SolidOf(shape), scratch.Ids,
-      this->FetchPoints(scratch.Ids, count, scratch), plan.Inverted ? -1.0 : 1.0, this->Points,
-      plan, cursor);
+    this->PlanByFaces(cell, shape, scratch, plan, cursor);
   }
-  if (!plan.Star)
+  if (!plan.Star && !plan.ByFaces)
   {
     SkipConvexCell(plan, shape, cursor);
   }
   return plan;
+}
+
+// Looks for a cut that drops nothing and keeps to the triangles of the faces; else `plan` stays.
+void ConvexCellConversion::PlanByFaces(vtkIdType cell, Shape shape, Scratch& scratch,
+  ConvexCellPlan& plan, ConvexCellCursor& cursor)
+{
+  const auto& solid = TetrahedralSplit::SolidOf(shape);
+  const vtkIdType* ids = scratch.Ids;
+  const double sign = plan.Inverted ? -1.0 : 1.0;
+  Coordinates* points = this->FetchPoints(ids, solid.NumberOfVertices, scratch);
+  TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
+  const FaceTriangles triangles(solid, ids, points);
+  if ((plan.Uneven || !triangles.AreFans()) &&
+    !ConePlan::Make(triangles, points, sign, plan, cursor))
+  {
+    this->Stars.Try(cell, solid, ids, this->FetchPoints(ids, solid.NumberOfVertices, scratch), sign,
+      this->Points, plan, cursor);
+  }
 }
 
 ConvexCellPlan ConvexCellConversion::PlanSurfaceCell(
@@ -197,42 +215,12 @@ ConvexCellPlan ConvexCellConversion::PlanSurfaceCell(
     this->Stars.Try(cell, scratch.Surface.GetSolid(), ids.data(),
       this->FetchPoints(ids.data(), count, scratch), 1.0, this->Points, plan, cursor);
   }
-  return plan;
-}
-
-// Pieces of negative volume are turned.
-ConvexCellPlan ConvexCellConversion::PlanReplacedCell(
-  vtkIdType cell, ConvexCellCursor& cursor) const
-{
-  ConvexCellPlan plan;
-  vtkIdType turned = 0, kept = 0;
-  double sum = 0.0;
-  this->Curved->VisitPieces(cell,
-    [&](const vtkIdType* ids)
-    {
-      const double volume = this->SixVolumes(ids);
-      kept += volume != 0.0;
-      turned += volume < 0.0;
-      plan.Dropped += volume == 0.0;
-      sum += volume;
-    });
-  cursor.Cell += kept;
-  cursor.Id += 4 * kept;
-  plan.Fate = kept > 0 ? ConvexCellPlan::Tetrahedra : ConvexCellPlan::ZeroVolume;
-  plan.Replaced = true;
-  plan.Inverted = sum < 0.0;
-  plan.Folded = turned > 0 && turned < kept;
-  return plan;
-}
-
-double ConvexCellConversion::SixVolumes(const vtkIdType* ids) const
-{
-  double x[4][3];
-  for (int corner = 0; corner < 4; ++corner)
+  if (plan.Fate == ConvexCellPlan::Concave)
   {
-    this->Points.Get(ids[corner], x[corner]);
+    TetrahedralSplit::ScaleIfExtreme(points, count);
+    PlanButForFlat(scratch.Surface, points, plan, cursor);
   }
-  return TetrahedralSplit::SixVolumes(x[0], x[1], x[2], x[3]);
+  return plan;
 }
 
 void ConvexCellConversion::PlanBlocks(vtkIdType begin, vtkIdType end)
@@ -277,7 +265,7 @@ void ConvexCellConversion::WriteCell(
   }
   if (plan.Replaced)
   {
-    this->WriteReplacedCell(cell, arrays, cursor);
+    ReplacedCell::Write(*this->Curved, this->Points, cell, arrays, cursor);
   }
   else if (this->IsOfFaces(cell))
   {
@@ -294,8 +282,28 @@ void ConvexCellConversion::WriteCell(
         this->FetchPoints(scratch.Ids, count, scratch), outputIds, arrays, cursor);
       return;
     }
+    if (plan.ByFaces)
+    {
+      this->WriteByFaces(cell, shape, scratch, arrays, cursor);
+      return;
+    }
     WriteConvexCell(plan, shape, scratch.Ids, outputIds, cell, arrays, cursor);
   }
+}
+
+void ConvexCellConversion::WriteByFaces(vtkIdType cell, Shape shape, Scratch& scratch,
+  const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
+{
+  const ConvexCellPlan& plan = this->Plans[cell];
+  const auto& solid = TetrahedralSplit::SolidOf(shape);
+  const vtkIdType* outputIds = this->Points.GetOutputIds();
+  Coordinates* points = this->FetchPoints(scratch.Ids, solid.NumberOfVertices, scratch);
+  TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
+  vtkIdType named[TetrahedralSplit::MaximumVertices];
+  std::transform(scratch.Ids, scratch.Ids + solid.NumberOfVertices, named,
+    [outputIds](vtkIdType id) { return outputIds ? outputIds[id] : id; });
+  ConePlan::Write(plan, FaceTriangles(solid, scratch.Ids, points), points,
+    plan.Inverted ? -1.0 : 1.0, named, cell, arrays, cursor);
 }
 
 void ConvexCellConversion::WriteSurfaceCell(
@@ -315,26 +323,6 @@ void ConvexCellConversion::WriteSurfaceCell(
   TurnOutward(scratch.Surface, points);
   this->Stars.Write(cell, scratch.Surface.GetSolid(), ids.data(),
     this->FetchPoints(ids.data(), count, scratch), outputIds, arrays, cursor);
-}
-
-void ConvexCellConversion::WriteReplacedCell(
-  vtkIdType cell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
-{
-  const vtkIdType* outputIds = this->Points.GetOutputIds();
-  this->Curved->VisitPieces(cell,
-    [&](const vtkIdType* ids)
-    {
-      const double volume = this->SixVolumes(ids);
-      if (volume != 0.0)
-      {
-        const int second = volume < 0.0 ? 2 : 1;
-        BeginConvexCell(VTK_TETRA, cell, arrays, cursor);
-        for (const int corner : { 0, second, 3 - second, 3 })
-        {
-          arrays.Ids[cursor.Id++] = outputIds ? outputIds[ids[corner]] : ids[corner];
-        }
-      }
-    });
 }
 
 void ConvexCellConversion::WriteBlocks(vtkIdType begin, vtkIdType end)

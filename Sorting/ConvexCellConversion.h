@@ -4,8 +4,8 @@
  * Passes, in the order of the methods: 1 merge points, 2 refine curved cells, 3 plan cells,
  * 4 allocate, 5 write, 6 fill the output. Passes 3 and 5 work on blocks of cells, in parallel, each
  * block writing at its own place in the output: the result does not depend on the threads. The
- * algorithms are in CoincidentPoints, CurvedRefinement, ConvexCellPlan, PolyhedronPlan, StarCell,
- * ConvexityTest and TetrahedralSplit.
+ * algorithms are in CoincidentPoints, CurvedRefinement, ConvexCellPlan, PolyhedronPlan, ConePlan,
+ * StarCell, ConvexityTest, TetrahedralSplit and FaceTriangles.
  */
 #ifndef ConvexCellConversion_h
 #define ConvexCellConversion_h
@@ -69,13 +69,13 @@ private:
   ConvexCellCut FindCut(int type, const double (*points)[3]) const;
   ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
   ConvexCellPlan PlanSurfaceCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
-  ConvexCellPlan PlanReplacedCell(vtkIdType cell, ConvexCellCursor& cursor) const;
+  void PlanByFaces(vtkIdType cell, TetrahedralSplit::Shape shape, Scratch& scratch,
+    ConvexCellPlan& plan, ConvexCellCursor& cursor);
   bool IsOfFaces(vtkIdType cell) const;
   void WriteCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
     ConvexCellCursor& cursor) const;
-  double SixVolumes(const vtkIdType* ids) const;
-  void WriteReplacedCell(
-    vtkIdType cell, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const;
+  void WriteByFaces(vtkIdType cell, TetrahedralSplit::Shape shape, Scratch& scratch,
+    const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const;
   void WriteSurfaceCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
     ConvexCellCursor& cursor) const;
   Coordinates* FetchPoints(const vtkIdType* ids, int count, Scratch& scratch) const;

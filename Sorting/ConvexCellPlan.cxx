@@ -1,11 +1,13 @@
 #include "ConvexCellPlan.h"
 
 #include "ConvexityTest.h"
+#include "FaceTriangles.h"
 
 #include "vtkCellType.h"
 
 #include <algorithm>
 #include <bitset>
+#include <cmath>
 
 namespace
 {
@@ -28,8 +30,16 @@ bool RepeatsAnId(const vtkIdType* ids, int count)
   return repeats;
 }
 
+// Six times the volume that the tetrahedron over a flat triangle of a face can have.
+double LargestOverFlat(double size)
+{
+  return 0.25 * FaceTriangles::Straight * size * size * size;
+}
+
 // Returns the sum of the pieces' volumes, times six.
-double WeighPieces(const Pieces& pieces, const double (*points)[3], ConvexCellPlan& plan)
+double WeighPieces(
+  const Pieces& pieces, const vtkIdType* ids, const double (*points)[3], double thin,
+  ConvexCellPlan& plan)
 {
   double sum = 0.0;
   for (int piece = 0; piece < pieces.Count; ++piece)
@@ -37,6 +47,13 @@ double WeighPieces(const Pieces& pieces, const double (*points)[3], ConvexCellPl
     const unsigned char* v = pieces.Vertex[piece];
     const double volume =
       TetrahedralSplit::SixVolumes(points[v[0]], points[v[1]], points[v[2]], points[v[3]]);
+    if (std::abs(volume) <= thin)
+    {
+      const vtkIdType corners[4] = { ids[v[0]], ids[v[1]], ids[v[2]], ids[v[3]] };
+      const bool repeats = RepeatsAnId(corners, 4);
+      plan.Thin = plan.Thin || !repeats;
+      plan.Uneven = plan.Uneven || (volume == 0.0 && !repeats);
+    }
     plan.Dropped += volume == 0.0;
     plan.Kept |= static_cast<std::uint32_t>(volume != 0.0) << piece;
     plan.Turned |= static_cast<std::uint32_t>(volume < 0.0) << piece;
@@ -56,7 +73,7 @@ void Unfold(Shape shape, const vtkIdType* ids, const double (*points)[3], Convex
   }
   ConvexCellPlan other;
   const Pieces pieces = TetrahedralSplit::Split(shape, ids, apex);
-  WeighPieces(pieces, points, other);
+  WeighPieces(pieces, ids, points, -1.0, other);
   plan.Apex = apex;
   plan.Kept = plan.Inverted ? other.Turned : other.Kept & ~other.Turned;
   plan.Turned = plan.Inverted ? other.Turned : 0;
@@ -128,7 +145,10 @@ ConvexCellPlan PlanConvexCell(
   {
     return plan;
   }
-  const double sum = WeighPieces(TetrahedralSplit::Split(shape, ids), points, plan);
+  const double thin =
+    LargestOverFlat(TetrahedralSplit::SizeOf(points, solid.NumberOfVertices));
+  const double sum =
+    WeighPieces(TetrahedralSplit::Split(shape, ids), ids, points, thin, plan);
   plan.Inverted = sum < 0.0;
   plan.Fate = plan.Kept == 0 ? ConvexCellPlan::ZeroVolume : ConvexCellPlan::Tetrahedra;
   if (plan.Kept != 0 && !repeats && cut != ConvexCellCut::All)
@@ -141,6 +161,7 @@ ConvexCellPlan PlanConvexCell(
   }
   plan.Folded =
     plan.Fate == ConvexCellPlan::Tetrahedra && plan.Turned != 0 && plan.Turned != plan.Kept;
+  plan.Uneven = plan.Uneven || plan.Folded;
   if (plan.Folded)
   {
     Unfold(shape, ids, points, plan);

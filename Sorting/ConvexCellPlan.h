@@ -35,6 +35,9 @@ struct ConvexCellPlan
   bool Inverted = false;
   bool Folded = false;
   bool NonConvex = false;   // and cut for that
+  bool Uneven = false;      // pieces without a volume, or of both signs
+  bool Thin = false;        // a piece so thin that a face's triangle may be flat
+  bool ByFaces = false;     // cut along FaceTriangles, ConePlan
   bool Star = false;        // cut from a point within
   bool Replaced = false;    // curved, or next to a curved cell, and cut for that
   int Apex = -1;            // the corner that the tetrahedra share, where it is not the usual one

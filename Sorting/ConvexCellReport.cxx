@@ -29,7 +29,7 @@ enum Why
 constexpr int NumberOfWhys = Refused + ConvexCellPlan::Invalid + 1;
 
 constexpr const char* Texts[NumberOfWhys] = { "", "curved: follows the tolerance",
-  "next to a curved cell that was cut", "not convex: cut from a point within",
+  "next to a curved cell that was cut", "no corner sees all: cut from a point within",
   "not convex: cut from a corner", "folded: its tetrahedra overlap", "repeats a point or is flat",
   "cut into tetrahedra", "", "", "zero volume", "open surface", "several pieces",
   "concave: no point sees all of it", "wrong list of faces", "", "duplicate",

@@ -2,6 +2,7 @@
 
 #include "ConvexCellPoints.h"
 #include "ConvexCellReader.h"
+#include "FaceTriangles.h"
 #include "PolyhedronSurface.h"
 
 #include "vtkCellType.h"
@@ -9,6 +10,32 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+
+namespace
+{
+// However the cell is wound. False where no corner sees all of it.
+bool SplitByFaces(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+  const double (*points)[3], CurvedRefinement& refinement)
+{
+  const FaceTriangles triangles(solid, ids, points);
+  for (const double sign : { 1.0, -1.0 })
+  {
+    const int apex = triangles.FindApex(sign);
+    if (apex >= 0)
+    {
+      triangles.VisitCone(apex,
+        [&](int a, int b, int c)
+        {
+          const bool turned = sign < 0.0;
+          refinement.AddStraight(
+            cell, { ids[apex], ids[a], ids[turned ? c : b], ids[turned ? b : c] });
+        });
+      return true;
+    }
+  }
+  return false;
+}
+}
 
 using TetrahedralSplit::Shape;
 
@@ -140,6 +167,11 @@ void CurvedCells::Split(vtkIdType cell, CurvedRefinement& refinement)
       this->Points.Get(ids[i], points[i]);
     }
     const ConvexCellPlan plan = PlanConvexCell(shape, ids, points, ConvexCellCut::All);
+    if ((plan.Thin || plan.Uneven) &&
+      SplitByFaces(cell, TetrahedralSplit::SolidOf(shape), ids, points, refinement))
+    {
+      return;
+    }
     const TetrahedralSplit::Pieces pieces = TetrahedralSplit::Split(shape, ids, plan.Apex);
     for (int piece = 0; piece < pieces.Count; ++piece)
     {
@@ -165,6 +197,11 @@ void CurvedCells::SplitPolyhedron(vtkIdType cell, CurvedRefinement& refinement)
     this->Points.Get(ids[i], points[i].data());
   }
   auto* coordinates = reinterpret_cast<double(*)[3]>(points.data());
+  TetrahedralSplit::ScaleIfExtreme(coordinates, static_cast<int>(ids.size()));
+  if (SplitByFaces(cell, surface.GetSolid(), ids.data(), coordinates, refinement))
+  {
+    return;
+  }
   for (int turn = 0; turn < 2; ++turn, surface.Turn())
   {
     const int apex = TetrahedralSplit::FindApex(surface.GetSolid(), ids.data(), coordinates);

@@ -1,5 +1,6 @@
 #include "PolyhedronPlan.h"
 
+#include "ConePlan.h"
 #include "ConvexityTest.h"
 
 #include "vtkCellType.h"
@@ -42,25 +43,6 @@ void VisitPieces(const PolyhedronSurface& surface, const double (*points)[3], in
     {
       visit(
         a, b, c, TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]) > 0.0);
-    });
-}
-
-void PlanPieces(const PolyhedronSurface& surface, const double (*points)[3], ConvexCellPlan& plan,
-  ConvexCellCursor& cursor)
-{
-  plan.Apex = TetrahedralSplit::FindApex(surface.GetSolid(), surface.GetIds().data(), points);
-  if (plan.Apex < 0)
-  {
-    plan.Fate = ConvexCellPlan::Concave;
-    return;
-  }
-  plan.Fate = ConvexCellPlan::Tetrahedra;
-  VisitPieces(surface, points, plan.Apex,
-    [&](int, int, int, bool hasVolume)
-    {
-      plan.Dropped += !hasVolume;
-      cursor.Cell += hasVolume;
-      cursor.Id += hasVolume ? 4 : 0;
     });
 }
 
@@ -110,12 +92,34 @@ ConvexCellPlan PlanPolyhedron(
                    !ConvexityTest::IsConvex(solid, surface.GetIds().data(), points, 1.0);
   if (cut == ConvexCellCut::All || plan.NonConvex)
   {
-    PlanPieces(surface, points, plan, cursor);
+    const FaceTriangles triangles(solid, surface.GetIds().data(), points);
+    if (!ConePlan::Make(triangles, points, 1.0, plan, cursor))
+    {
+      plan.Fate = ConvexCellPlan::Concave;
+    }
     return plan;
   }
   cursor.Cell += 1;
   cursor.Id += 1 + solid.NumberOfFaces + solid.FaceOffsets[solid.NumberOfFaces];
   return plan;
+}
+
+void PlanButForFlat(const PolyhedronSurface& surface, const double (*points)[3],
+  ConvexCellPlan& plan, ConvexCellCursor& cursor)
+{
+  plan.Apex = TetrahedralSplit::FindApex(surface.GetSolid(), surface.GetIds().data(), points);
+  if (plan.Apex < 0)
+  {
+    return;
+  }
+  plan.Fate = ConvexCellPlan::Tetrahedra;
+  VisitPieces(surface, points, plan.Apex,
+    [&](int, int, int, bool hasVolume)
+    {
+      plan.Dropped += !hasVolume;
+      cursor.Cell += hasVolume;
+      cursor.Id += hasVolume ? 4 : 0;
+    });
 }
 
 void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, double (*points)[3],
@@ -132,6 +136,12 @@ void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, dou
   {
     BeginConvexCell(VTK_POLYHEDRON, sourceCell, arrays, cursor);
     WriteWhole(surface.GetSolid(), named.data(), arrays, cursor);
+    return;
+  }
+  if (plan.ByFaces)
+  {
+    const FaceTriangles triangles(surface.GetSolid(), surface.GetIds().data(), points);
+    ConePlan::Write(plan, triangles, points, 1.0, named.data(), sourceCell, arrays, cursor);
     return;
   }
   VisitPieces(surface, points, plan.Apex,

@@ -2,8 +2,9 @@
  * What becomes of one polyhedron: left as it is, cut into tetrahedra, or left out. As
  * ConvexCellPlan, but for surfaces of any number of faces.
  *
- * It is cut from its corner of smallest id, or else from any that sees the whole surface. Where
- * there is none, a polyhedron is Concave and left out: its tetrahedra would overlap.
+ * It is cut from its corner of smallest id, or else from any that sees the whole surface, ConePlan.
+ * Where there is none, it is Concave: a point within may see all, StarCell, or a corner all but for
+ * what is flat. Else it is left out: its tetrahedra would overlap.
  */
 #ifndef PolyhedronPlan_h
 #define PolyhedronPlan_h
@@ -18,6 +19,12 @@
  */
 ConvexCellPlan PlanPolyhedron(
   PolyhedronSurface& surface, double (*points)[3], ConvexCellCut cut, ConvexCellCursor& cursor);
+
+/** From a corner that sees the whole surface but for faces that it looks along within
+ *  TetrahedralSplit::FlatnessTolerance. `surface` and `points` as PlanPolyhedron left them. Stays
+ *  Concave where there is none. */
+void PlanButForFlat(const PolyhedronSurface& surface, const double (*points)[3],
+  ConvexCellPlan& plan, ConvexCellCursor& cursor);
 
 /** Orients the surface outward. Whole where it is closed and has a volume; `points` may be scaled
  *  here. */

@@ -19,6 +19,7 @@ list(APPEND sources
   Sorting/CollapsedStar.cxx
   Sorting/CollapsibleMesh.cxx
   Sorting/ContactSigns.cxx
+  Sorting/ConePlan.cxx
   Sorting/ConvexCellConversion.cxx
   Sorting/ConvexCellCounts.cxx
   Sorting/ConvexCellGrid.cxx
@@ -41,6 +42,7 @@ list(APPEND sources
   Sorting/ExteriorCut.cxx
   Sorting/ExteriorGeometry.cxx
   Sorting/ExteriorPart.cxx
+  Sorting/FaceTriangles.cxx
   Sorting/GapRelations.cxx
   Sorting/GroupOrder.cxx
   Sorting/ImaginaryCellAssembly.cxx
@@ -61,6 +63,7 @@ list(APPEND sources
   Sorting/PolyhedronSurface.cxx
   Sorting/PowerCells.cxx
   Sorting/RadixSort.cxx
+  Sorting/ReplacedCell.cxx
   Sorting/SharedSpheres.cxx
   Sorting/SightHalves.cxx
   Sorting/SignedLinks.cxx
@@ -87,6 +90,7 @@ list(APPEND private_headers
   Sorting/CollapsedStar.h
   Sorting/CollapsibleMesh.h
   Sorting/ContactSigns.h
+  Sorting/ConePlan.h
   Sorting/ConvexCellConversion.h
   Sorting/ConvexCellCounts.h
   Sorting/ConvexCellGrid.h
@@ -111,6 +115,7 @@ list(APPEND private_headers
   Sorting/ExteriorGeometry.h
   Sorting/ExteriorPart.h
   Sorting/FieldSamples.h
+  Sorting/FaceTriangles.h
   Sorting/GapRelations.h
   Sorting/GroupOrder.h
   Sorting/ImaginaryCellAssembly.h
@@ -133,6 +138,7 @@ list(APPEND private_headers
   Sorting/PowerCells.h
   Sorting/PowerLift.h
   Sorting/RadixSort.h
+  Sorting/ReplacedCell.h
   Sorting/SharedSpheres.h
   Sorting/SightHalves.h
   Sorting/SignedLinks.h

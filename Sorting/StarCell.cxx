@@ -12,7 +12,7 @@
 namespace
 {
 using StarCell::Point;
-using TetrahedralSplit::Solid;
+using StarCell::Triangles;
 
 struct Plane
 {
@@ -168,40 +168,36 @@ void LargestBall::Solve()
 }
 
 // In coordinates about `middle` and of size 1.
-std::vector<Plane> FindPlanes(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
-  double sign, const double middle[3], double size)
+std::vector<Plane> FindPlanes(const Triangles& triangles, const double (*points)[3], double sign,
+  const double middle[3], double size)
 {
   std::vector<Plane> planes;
-  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  for (const FaceTriangles::Triangle& t : triangles)
   {
-    TetrahedralSplit::VisitTriangles(solid, face, ids,
-      [&](int a, int b, int c)
-      {
-        Plane plane;
-        double arm[3];
-        CrossOf(points[a], points[b], points[c], sign, plane.Normal);
-        vtkMath::Subtract(points[a], middle, arm);
-        if (vtkMath::Normalize(plane.Normal) > 1e-12 * size * size)
-        {
-          plane.Offset = vtkMath::Dot(plane.Normal, arm) / size;
-          planes.push_back(plane);
-        }
-      });
+    Plane plane;
+    double arm[3];
+    CrossOf(points[t[0]], points[t[1]], points[t[2]], sign, plane.Normal);
+    vtkMath::Subtract(points[t[0]], middle, arm);
+    if (vtkMath::Normalize(plane.Normal) > 1e-12 * size * size)
+    {
+      plane.Offset = vtkMath::Dot(plane.Normal, arm) / size;
+      planes.push_back(plane);
+    }
   }
   return planes;
 }
 }
 
-bool StarCell::FindKernel(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
+bool StarCell::FindKernel(const Triangles& triangles, const double (*points)[3], int count,
   double sign, Point& kernel)
 {
-  const double size = TetrahedralSplit::SizeOf(points, solid.NumberOfVertices);
+  const double size = TetrahedralSplit::SizeOf(points, count);
   double middle[3] = { 0, 0, 0 };
-  for (int i = 0; i < 3 * solid.NumberOfVertices; ++i)
+  for (int i = 0; i < 3 * count; ++i)
   {
-    middle[i % 3] += points[i / 3][i % 3] / solid.NumberOfVertices;
+    middle[i % 3] += points[i / 3][i % 3] / count;
   }
-  LargestBall ball(FindPlanes(solid, ids, points, sign, middle, size));
+  LargestBall ball(FindPlanes(triangles, points, sign, middle, size));
   ball.Solve();
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -210,12 +206,12 @@ bool StarCell::FindKernel(const Solid& solid, const vtkIdType* ids, const double
   return ball.GetRadius() > 0.0;
 }
 
-bool StarCell::SeesAll(const Solid& solid, const vtkIdType* ids, const double (*points)[3],
+bool StarCell::SeesAll(const Triangles& triangles, const double (*points)[3], int count,
   double sign, const Point& kernel)
 {
-  const double size = TetrahedralSplit::SizeOf(points, solid.NumberOfVertices);
+  const double size = TetrahedralSplit::SizeOf(points, count);
   bool all = true, any = false;
-  VisitPieces(solid, ids, points, sign, kernel,
+  VisitPieces(triangles, points, sign, kernel,
     [&](int a, int b, int c, bool hasVolume)
     {
       double cross[3];
@@ -227,22 +223,21 @@ bool StarCell::SeesAll(const Solid& solid, const vtkIdType* ids, const double (*
 }
 
 std::vector<double> StarCell::FindWeights(
-  const Solid& solid, const vtkIdType* ids, const double (*points)[3], const Point& kernel)
+  const Triangles& triangles, const double (*points)[3], int count, const Point& kernel)
 {
   vtkNew<vtkPoints> corners;
   corners->SetDataTypeToDouble();
-  for (int vertex = 0; vertex < solid.NumberOfVertices; ++vertex)
+  for (int vertex = 0; vertex < count; ++vertex)
   {
     corners->InsertNextPoint(points[vertex]);
   }
-  vtkNew<vtkCellArray> triangles;
-  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  vtkNew<vtkCellArray> faces;
+  for (const FaceTriangles::Triangle& t : triangles)
   {
-    TetrahedralSplit::VisitTriangles(solid, face, ids,
-      [&](int a, int b, int c) { triangles->InsertNextCell({ a, b, c }); });
+    faces->InsertNextCell({ t[0], t[1], t[2] });
   }
-  std::vector<double> weights(solid.NumberOfVertices);
+  std::vector<double> weights(count);
   vtkMeanValueCoordinatesInterpolator::ComputeInterpolationWeights(
-    kernel.data(), corners, triangles, weights.data());
+    kernel.data(), corners, faces, weights.data());
   return weights;
 }

@@ -9,7 +9,7 @@
 #ifndef StarCell_h
 #define StarCell_h
 
-#include "TetrahedralSplit.h"
+#include "FaceTriangles.h"
 
 #include <array>
 #include <vector>
@@ -18,36 +18,35 @@ namespace StarCell
 {
 using Point = std::array<double, 3>;
 
-/** False where the planes leave nothing between them. `sign`: -1 where the cell is inside out. */
-bool FindKernel(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
-  const double (*points)[3], double sign, Point& kernel);
+using Triangles = std::vector<FaceTriangles::Triangle>;
+
+/** False where the planes leave nothing between them. `points`: as many as `count`; `sign`: -1 where
+ *  the cell is inside out. */
+bool FindKernel(const Triangles& triangles, const double (*points)[3], int count, double sign,
+  Point& kernel);
 
 /** visit(a, b, c, hasVolume) for each tetrahedron (kernel, a, b, c), positive. */
 template <typename Visit>
-void VisitPieces(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
-  const double (*points)[3], double sign, const Point& kernel, Visit visit)
+void VisitPieces(const Triangles& triangles, const double (*points)[3], double sign,
+  const Point& kernel, Visit visit)
 {
-  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  for (const FaceTriangles::Triangle& t : triangles)
   {
-    TetrahedralSplit::VisitTriangles(solid, face, ids,
-      [&](int a, int b, int c)
-      {
-        const bool turned = sign < 0.0;
-        const int second = turned ? c : b, third = turned ? b : c;
-        visit(a, second, third,
-          TetrahedralSplit::SixVolumes(
-            kernel.data(), points[a], points[second], points[third]) > 0.0);
-      });
+    const bool turned = sign < 0.0;
+    const int second = t[turned ? 2 : 1], third = t[turned ? 1 : 2];
+    visit(t[0], second, third,
+      TetrahedralSplit::SixVolumes(kernel.data(), points[t[0]], points[second], points[third]) >
+        0.0);
   }
 }
 
 /** Whether the point, rounded as it may be, sees every triangle that has an area. */
-bool SeesAll(const TetrahedralSplit::Solid& solid, const vtkIdType* ids, const double (*points)[3],
-  double sign, const Point& kernel);
+bool SeesAll(const Triangles& triangles, const double (*points)[3], int count, double sign,
+  const Point& kernel);
 
 /** By vertex: the weights that make a linear field's value at the kernel of its values there. */
-std::vector<double> FindWeights(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
-  const double (*points)[3], const Point& kernel);
+std::vector<double> FindWeights(
+  const Triangles& triangles, const double (*points)[3], int count, const Point& kernel);
 }
 
 #endif

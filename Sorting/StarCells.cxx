@@ -7,18 +7,34 @@
 
 #include <algorithm>
 
+namespace
+{
+// Decided in coordinates that are safe.
+StarCell::Triangles TrianglesOf(
+  const TetrahedralSplit::Solid& solid, const vtkIdType* ids, const double (*points)[3])
+{
+  std::vector<StarCell::Point> scaled(solid.NumberOfVertices);
+  std::copy_n(&points[0][0], 3 * scaled.size(), scaled.front().data());
+  auto* coordinates = reinterpret_cast<double(*)[3]>(scaled.data());
+  TetrahedralSplit::ScaleIfExtreme(coordinates, solid.NumberOfVertices);
+  return FaceTriangles(solid, ids, coordinates).Get();
+}
+}
+
 void StarCells::Try(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
   const double (*points)[3], double sign, const ConvexCellPoints& mesh, ConvexCellPlan& plan,
   ConvexCellCursor& cursor)
 {
   Star star;
   star.Sign = sign;
-  if (!StarCell::FindKernel(solid, ids, points, sign, star.Kernel))
+  const int count = solid.NumberOfVertices;
+  const StarCell::Triangles triangles = TrianglesOf(solid, ids, points);
+  if (!StarCell::FindKernel(triangles, points, count, sign, star.Kernel))
   {
     return;
   }
   star.Kernel = mesh.Round(star.Kernel);
-  if (!StarCell::SeesAll(solid, ids, points, sign, star.Kernel))
+  if (!StarCell::SeesAll(triangles, points, count, sign, star.Kernel))
   {
     return;
   }
@@ -26,15 +42,15 @@ void StarCells::Try(vtkIdType cell, const TetrahedralSplit::Solid& solid, const 
   plan.Star = true;
   plan.Folded = false;
   plan.Dropped = 0;
-  StarCell::VisitPieces(solid, ids, points, sign, star.Kernel,
+  StarCell::VisitPieces(triangles, points, sign, star.Kernel,
     [&](int, int, int, bool hasVolume)
     {
       plan.Dropped += !hasVolume;
       cursor.Cell += hasVolume;
       cursor.Id += hasVolume ? 4 : 0;
     });
-  star.Corners.assign(ids, ids + solid.NumberOfVertices);
-  star.Weights = StarCell::FindWeights(solid, ids, points, star.Kernel);
+  star.Corners.assign(ids, ids + count);
+  star.Weights = StarCell::FindWeights(triangles, points, count, star.Kernel);
   const std::lock_guard<std::mutex> lock(this->Mutex);
   this->Stars[cell] = star;
 }
@@ -52,7 +68,7 @@ void StarCells::Write(vtkIdType cell, const TetrahedralSplit::Solid& solid, cons
   ConvexCellCursor& cursor) const
 {
   const Star& star = this->Stars.at(cell);
-  StarCell::VisitPieces(solid, ids, points, star.Sign, star.Kernel,
+  StarCell::VisitPieces(TrianglesOf(solid, ids, points), points, star.Sign, star.Kernel,
     [&](int a, int b, int c, bool hasVolume)
     {
       if (hasVolume)

@@ -12,23 +12,26 @@
  *   those that repeat a point, as their tetrahedra.
  * - TetrahedraOnly: every cell is split from its smallest point id (Dompierre et al., How to
  *   Subdivide Pyramids, Prisms and Hexahedra into Tetrahedra, 1999), so that neighbours agree on
- *   every face: 5 or 6 tetrahedra per hexahedron, 3 per wedge, 2 per pyramid, 9 per pentagonal and
+ *   every face, faces with nodes in the middle of straight edges included: 5 or 6 tetrahedra per hexahedron, 3 per wedge, 2 per pyramid, 9 per pentagonal and
  *   12 per hexagonal prism. A lattice in its natural numbering gives 6.
  *   det(p1 - p0, p2 - p0, p3 - p0) > 0 for each.
  *
- * A face is a fan of triangles from its smallest point id, in both. A cell is convex where for each
+ * A face is a fan of triangles from its smallest point id, in both; where that is on a straight edge
+ * with more than its two ends (within 1e-4 radians), tetrahedra take the smallest id that is not, or
+ * cut the face in two. A cell is convex where for each
  * of its faces the normals of these triangles are within 60 degrees of each other, every corner off
  * the face lies inside the plane of each triangle within 1e-9 of the cell's size, and a face of
  * five or more corners is planar within 1e-5 of its size: hexahedra with slightly warped faces stay
  * whole. Tetrahedra, and voxels that are boxes along the axes, are not tested.
  *
- * A cell whose tetrahedra from the smallest id have both signs is split from another of its corners
- * where one sees the whole surface (but for faces that it looks along within 1e-6 of the cell's
- * size: what is so flat is dropped), or else from a point within that does (the centre of the
- * largest ball between the planes of its faces' triangles; its data by mean value coordinates); the
- * triangles of its faces stay as they are. If there is none, it is counted as folded and its
- * tetrahedra, all turned positive, overlap; a polyhedron is left out as concave instead. A face
- * that is not convex must be seen whole from its smallest id, too.
+ * A cell whose tetrahedra from the smallest id have both signs, or not all a volume, is split from
+ * another of its corners where one sees the whole surface, or else from a point within that does
+ * (the centre of the largest ball between the planes of its faces' triangles; its data by mean value
+ * coordinates); the triangles of its faces stay as they are. If there is none, a corner will do that
+ * looks along faces within 1e-6 of the cell's size: what is so flat is dropped. If there is none
+ * either, the cell is counted as folded and its tetrahedra, all turned positive, overlap; a
+ * polyhedron is left out as concave instead. A face that is not convex must be seen whole from its
+ * smallest id, too.
  *
  * Curved cells, which are the quadratic, Lagrange (of degree 10 at most) and Bezier ones: the
  * linear twin, of the same corners, is split as above; then edges of the tetrahedra that are off
@@ -50,7 +53,7 @@
  *
  * Points at exactly the same coordinates are merged to the one of smallest id, whose data they
  * take; points that are not finite or hidden are removed, the others keep their order and
- * precision. Where no point is merged or removed, points and point data are shared with the input.
+ * precision. Where no point is merged, removed or added, points and point data are shared with the input.
  * A tetrahedron whose volume cannot be told from 0 in double precision is dropped and counted.
  *
  * Input: vtkUnstructuredGridBase. Output: vtkUnstructuredGrid, in the order of the input's cells,
@@ -72,9 +75,9 @@
  * as geometry.)
  *
  * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
- * different data are not told apart: the smallest id wins. A flat tetrahedron that is dropped can
- * leave two cells facing each other with different diagonals. In the default mode a cell of the
- * output may meet tetrahedra across a face: they are its face's triangles.
+ * different data are not told apart: the smallest id wins. Faces match where nothing was dropped
+ * but what repeats a point. In the default mode a cell of the output may meet tetrahedra across a
+ * face: they are its face's triangles, but where nodes hang on the face's edges.
  */
 
 #ifndef vtkConvexCells_h

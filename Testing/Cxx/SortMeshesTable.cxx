@@ -1,6 +1,7 @@
 // The table of all meshes, good and bad.
 #include "SortMeshes.h"
 
+#include "HangingMeshes.h"
 #include "MeshLattice.h"
 #include "TestMeshes.h"
 #include "vtkIdList.h"
@@ -78,6 +79,8 @@ std::vector<Entry> MakeGood()
     { "springTetrahedra", [] { return Tetrahedra(Spring()); } },
     { "twoTetrahedra", TwoTetrahedra },
     { "prisms", [] { return Prisms(); } },
+    // Of polyhedra with nodes in a row on their edges.
+    { "hangingNodes", [] { return Tetrahedra(HangingMeshes::MakeBoxes(2)); }, false, true },
     { "slivers", [] { return Scaled(Kuhn(JitteredLattice(4, 0.15)), 1.0, 1.0, 1e-6); }, true,
       true },
     { "sliversL", [] { return Scaled(Kuhn(LShape()), 1e-6, 1.0, 1.0); } },

@@ -1,8 +1,11 @@
 // Repeated and coincident points, flat cells and slivers, huge and tiny coordinates.
+#include "CellZoo.h"
 #include "ConvexCellsTesting.h"
 
 #include "vtkDoubleArray.h"
 #include "vtkPointData.h"
+
+#include <algorithm>
 
 namespace
 {
@@ -22,7 +25,9 @@ vtkSmartPointer<vtkUnstructuredGrid> OneHexahedron(
 }
 
 // One edge of a cube collapsed, by a repeated id or by a coincident point: in either mode its
-// tetrahedra. Two faces go warped, so that each diagonal gives a volume of its own.
+// tetrahedra, none missing at its surface of 10 triangles. Two faces go warped, so that each diagonal
+// gives a volume of its own. In four of them corner 0 looks along a half of such a face, and another
+// corner or a point within has to do: then no flat piece is dropped.
 void TestCollapsedEdge(int from, int to, bool coincident, bool tetrahedraOnly)
 {
   std::vector<Point> points = Cube;
@@ -37,13 +42,20 @@ void TestCollapsedEdge(int from, int to, bool coincident, bool tetrahedraOnly)
   AddCell(grid, VTK_HEXAHEDRON, ids);
   auto filter = Run(grid, tetrahedraOnly);
   const double volume = TotalVolume(filter->GetOutput());
+  const std::array<int, 2> collapsed = { from, to };
+  const std::vector<std::array<int, 2>> along = { { 2, 1 }, { 7, 4 }, { 5, 1 }, { 7, 3 } };
+  const int other = static_cast<int>(std::count(along.begin(), along.end(), collapsed));
   CHECK(Near(volume, 2.0 / 3.0) || Near(volume, 5.0 / 6.0) || Near(volume, 1.0 / 2.0));
-  CHECK_EQUAL(filter->GetNumberOfDegenerateCells(), 1);
-  CHECK(filter->GetNumberOfDroppedTetrahedra() >= 1);
+  const CellZoo::FaceUses uses = CellZoo::CountFaceUses(filter->GetOutput());
+  CHECK_EQUAL(uses.Once, 10);
+  CHECK_EQUAL(uses.More, 0);
+  CHECK_EQUAL(filter->GetNumberOfDegenerateCells(), 1 - other);
+  CHECK(filter->GetNumberOfDroppedTetrahedra() >= 1 - other);
   CHECK_EQUAL(filter->GetNumberOfSkippedCells(), 0);
   CHECK_EQUAL(filter->GetNumberOfInvertedCells(), 0);
   CHECK_EQUAL(filter->GetNumberOfMergedPoints(), coincident ? 1 : 0);
-  CHECK_EQUAL(filter->GetOutput()->GetNumberOfPoints(), coincident ? 7 : 8);
+  const vtkIdType added = filter->GetOutput()->GetNumberOfPoints() - (coincident ? 7 : 8);
+  CHECK(added == 0 || (added == 1 && other == 1));
 }
 
 // A hexahedron whose top is one point is a pyramid; one whose top edges are, two by two, a wedge.

@@ -1,151 +1,132 @@
 // Hanging nodes: an octree as polyhedra, whose large cells have the nodes and faces of the small
-// ones beside them; and the polyhedra and prisms of real files. Volumes stay, and every inner face is
-// matched; of the octree's tetrahedra not, where a flat one was dropped: as vtkConvexCells says.
+// ones beside them; boxes with several nodes on each edge; the polyhedra and prisms of real files.
+// Volumes stay, and every inner face is matched by exactly one other.
 #include "CellZoo.h"
 #include "ConvexCellsTesting.h"
+#include "HangingMeshes.h"
 
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 #include "vtkUnstructuredGridReader.h"
 #include "vtkXMLUnstructuredGridReader.h"
 
 #include <fstream>
-#include <map>
+#include <numeric>
+#include <random>
 #include <string>
 
 namespace
 {
 using namespace ConvexCellsTesting;
-using Node = std::array<int, 3>;
 
-constexpr int Size = 8;
-
-/** The octree of a cube of Size, finest at its first corner. */
-class Octree
+struct Case
 {
-public:
-  Octree()
-  {
-    this->AddLeaves({ 0, 0, 0 }, Size);
-    std::vector<Point> points;
-    for (auto& node : this->Nodes)
-    {
-      node.second = static_cast<vtkIdType>(points.size());
-      points.push_back({ double(node.first[0]), double(node.first[1]), double(node.first[2]) });
-    }
-    this->Grid = MakeGrid(points);
-    for (const auto& leaf : this->Leaves)
-    {
-      this->AddCell(leaf.first, leaf.second);
-    }
-  }
-
-  vtkSmartPointer<vtkUnstructuredGrid> Grid;
-
-private:
-  void AddLeaves(const Node& corner, int size);
-  void AddCell(const Node& corner, int size);
-  void AddEdge(const Node& a, const Node& b, std::vector<vtkIdType>& face) const;
-  void AddSide(const Node& corner, int size, int u, int v, Faces& faces) const;
-
-  std::vector<std::pair<Node, int>> Leaves;
-  std::map<Node, vtkIdType> Nodes;
+  vtkSmartPointer<vtkUnstructuredGrid> Mesh;
+  double Volume;
+  double Area;
+  bool Hangs;
+  std::string Name;
 };
 
-Node Moved(Node node, int axis, int by)
+double Linear(const Point& x)
 {
-  node[axis] += by;
-  return node;
+  return 1.0 + x[0] - 2.0 * x[1] + 0.5 * x[2];
 }
-
-void Octree::AddLeaves(const Node& corner, int size)
+// Each point of the output, but those within cells.
+void CheckScalars(vtkUnstructuredGrid* output)
 {
-  const int half = size / 2;
-  const bool isCut = half > 0 && corner[0] + corner[1] + corner[2] < 2 * size;
-  for (int child = 0; child < 8; ++child)
+  vtkDataArray* made = output->GetPointData()->GetScalars();
+  for (vtkIdType id = 0; CHECK(made) && id < output->GetNumberOfPoints(); ++id)
   {
-    const int step = isCut ? half : size;
-    Node at = corner;
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      at = Moved(at, axis, (child >> axis & 1) * step);
-    }
-    if (isCut)
-    {
-      this->AddLeaves(at, half);
-    }
-    else
-    {
-      this->Nodes[at] = 0;
-    }
-  }
-  if (!isCut)
-  {
-    this->Leaves.emplace_back(corner, size);
+    const Point x = PointOf(output, id);
+    CHECK(std::abs(made->GetTuple1(id) - Linear(x)) < 1e-5);
   }
 }
 
-// From a on, with what hangs on the edge, without b.
-void Octree::AddEdge(const Node& a, const Node& b, std::vector<vtkIdType>& face) const
-{
-  const Node middle = { (a[0] + b[0]) / 2, (a[1] + b[1]) / 2, (a[2] + b[2]) / 2 };
-  if (middle == a || middle == b || this->Nodes.count(middle) == 0)
-  {
-    face.push_back(this->Nodes.at(a));
-    return;
-  }
-  this->AddEdge(a, middle, face);
-  this->AddEdge(middle, b, face);
-}
-
-void Octree::AddSide(const Node& corner, int size, int u, int v, Faces& faces) const
-{
-  const int half = size / 2;
-  if (half > 0 && this->Nodes.count(Moved(Moved(corner, u, half), v, half)) > 0)
-  {
-    for (int quarter = 0; quarter < 4; ++quarter)
-    {
-      const Node at = Moved(Moved(corner, u, quarter % 2 * half), v, quarter / 2 * half);
-      this->AddSide(at, half, u, v, faces);
-    }
-    return;
-  }
-  const Node right = Moved(corner, u, size), top = Moved(corner, v, size);
-  const Node across = Moved(right, v, size);
-  faces.emplace_back();
-  this->AddEdge(corner, right, faces.back());
-  this->AddEdge(right, across, faces.back());
-  this->AddEdge(across, top, faces.back());
-  this->AddEdge(top, corner, faces.back());
-}
-
-void Octree::AddCell(const Node& corner, int size)
-{
-  Faces faces;
-  for (int side = 0; side < 6; ++side)
-  {
-    const int axis = side / 2;
-    const Node at = Moved(corner, axis, side % 2 * size);
-    this->AddSide(at, size, (axis + 1) % 3, (axis + 2) % 3, faces);
-  }
-  AddPolyhedron(this->Grid, faces);
-}
-
-void CheckMatched(
-  vtkUnstructuredGrid* grid, double volume, double area, bool hangs, const char* name)
+// Three nodes in a row on an edge are a triangle without an area in the fans by which whole cells are
+// counted, and another cut of the face where rounding made one of its two cells tetrahedra.
+void CheckMatched(const Case& mesh, double relative)
 {
   for (const bool tetrahedraOnly : { false, true })
   {
-    auto filter = Run(grid, tetrahedraOnly);
+    auto filter = Run(mesh.Mesh, tetrahedraOnly);
     vtkUnstructuredGrid* output = filter->GetOutput();
     const CellZoo::FaceUses uses = CellZoo::CountFaceUses(output);
-    // Three nodes in a row on an edge are a triangle without an area, of any cell there.
+    const double volume = tetrahedraOnly ? TotalVolume(output) : VolumeWithin(output);
+    const bool isMixed = CountType(output, VTK_TETRA) < output->GetNumberOfCells() &&
+                         CountType(output, VTK_TETRA) > 0;
     const bool good = CHECK_EQUAL(filter->GetNumberOfSkippedCells(), 0) &&
-                      CHECK((hangs && !tetrahedraOnly) || uses.More == 0) &&
-                      CHECK((hangs && tetrahedraOnly) || Near(uses.AreaOfOnce, area, 1e-10)) &&
-                      CHECK(Near(VolumeWithin(output), volume, 1e-10));
-    std::cout << name << (tetrahedraOnly ? ", tetrahedra: " : ", convex cells: ")
-              << grid->GetNumberOfCells() << " in, " << output->GetNumberOfCells() << " out, area "
-              << uses.AreaOfOnce << " for " << area << ", volume " << VolumeWithin(output)
-              << " for " << volume << (good ? "\n" : ": wrong\n");
+                      CHECK_EQUAL(filter->GetNumberOfFoldedCells(), 0) &&
+                      CHECK(!mesh.Hangs || filter->GetNumberOfDroppedTetrahedra() == 0) &&
+                      CHECK((mesh.Hangs && !tetrahedraOnly) || uses.More == 0) &&
+                      CHECK((mesh.Hangs && isMixed) || Near(uses.AreaOfOnce, mesh.Area, relative)) &&
+                      CHECK(Near(volume, mesh.Volume, relative));
+    std::cout << mesh.Name << (tetrahedraOnly ? ", tetrahedra: " : ", convex cells: ")
+              << mesh.Mesh->GetNumberOfCells() << " in, " << output->GetNumberOfCells() << " out, "
+              << output->GetNumberOfPoints() - mesh.Mesh->GetNumberOfPoints()
+              << " points added, area off by " << uses.AreaOfOnce / mesh.Area - 1.0
+              << ", volume by " << volume / mesh.Volume - 1.0 << (good ? "\n" : ": wrong\n");
+    if (mesh.Hangs)
+    {
+      CheckScalars(output);
+    }
+  }
+}
+
+// With other ids, turned so that rounding bends edges and faces, in either precision. Seed 0: as it
+// is.
+vtkSmartPointer<vtkUnstructuredGrid> Changed(
+  vtkUnstructuredGrid* grid, unsigned int seed, int precision)
+{
+  std::vector<vtkIdType> names(grid->GetNumberOfPoints());
+  std::iota(names.begin(), names.end(), vtkIdType{ 0 });
+  std::mt19937 random(seed);
+  if (seed > 0)
+  {
+    std::shuffle(names.begin(), names.end(), random);
+  }
+  std::vector<Point> points(names.size());
+  for (std::size_t id = 0; id < names.size(); ++id)
+  {
+    const Point p = PointOf(grid, static_cast<vtkIdType>(id));
+    points[names[id]] = seed == 0 ? p
+                                  : Point{ 1.3 + .48 * p[0] - .6 * p[1] + .64 * p[2],
+                                      .36 * p[0] + .8 * p[1] + .48 * p[2] + .1,
+                                      -.8 * p[0] + .6 * p[2] - .7 };
+  }
+  auto changed = MakeGrid(points, precision);
+  vtkNew<vtkIdList> stream;
+  for (vtkIdType cell = 0; cell < grid->GetNumberOfCells(); ++cell)
+  {
+    grid->GetFaceStream(cell, stream);
+    Faces faces;
+    for (vtkIdType at = 1; at < stream->GetNumberOfIds(); at += 1 + stream->GetId(at))
+    {
+      faces.emplace_back();
+      for (vtkIdType i = 1; i <= stream->GetId(at); ++i)
+      {
+        faces.back().push_back(names[stream->GetId(at + i)]);
+      }
+    }
+    AddPolyhedron(changed, faces);
+  }
+  vtkNew<vtkDoubleArray> scalar;
+  for (vtkIdType id = 0; id < changed->GetNumberOfPoints(); ++id)
+  {
+    scalar->InsertNextValue(Linear(PointOf(changed, id)));
+  }
+  changed->GetPointData()->SetScalars(scalar);
+  return changed;
+}
+
+// A cube of `size`, cut up.
+void CheckCube(vtkUnstructuredGrid* grid, int size, const std::string& name)
+{
+  const double volume = double(size) * size * size, area = 6.0 * size * size;
+  for (const unsigned int seed : { 0, 1, 2, 3 })
+  {
+    CheckMatched({ Changed(grid, seed, VTK_DOUBLE), volume, area, true, name }, 1e-10);
+    CheckMatched({ Changed(grid, seed, VTK_FLOAT), volume, area, true, name + ", floats" }, 1e-6);
   }
 }
 
@@ -157,7 +138,7 @@ void CheckFile(vtkUnstructuredGrid* grid, const char* name)
   {
     volume += std::abs(VolumeWithin(grid->GetCell(cell)));
   }
-  CheckMatched(grid, volume, CellZoo::CountFaceUses(grid).AreaOfOnce, false, name);
+  CheckMatched({ grid, volume, CellZoo::CountFaceUses(grid).AreaOfOnce, false, name }, 1e-10);
 }
 
 std::string FileOf(const char* name)
@@ -172,9 +153,16 @@ std::string FileOf(const char* name)
 
 int TestConvexCellsHanging(int, char*[])
 {
-  const Octree octree;
-  CHECK(octree.Grid->GetNumberOfCells() > 30);
-  CheckMatched(octree.Grid, double(Size) * Size * Size, 6.0 * Size * Size, true, "octree");
+  auto octree = HangingMeshes::MakeOctree(8,
+    [](const Point& middle, int size)
+    { return middle[0] + middle[1] + middle[2] < 3.5 * size; });
+  CHECK(octree->GetNumberOfCells() > 30);
+  CheckCube(octree, 8, "octree");
+  CheckCube(HangingMeshes::MakeRings(), 32, "rings");
+  for (const int hanging : { 0, 1, 2, 3 })
+  {
+    CheckCube(HangingMeshes::MakeBoxes(hanging), 2, std::to_string(hanging) + " on each edge");
+  }
   const std::string prisms = FileOf("PentaHexa.vtk"), polyhedra = FileOf("polyhedron2pieces.vtu");
   if (!prisms.empty())
   {

@@ -1,5 +1,6 @@
 // Polyhedra that are drawn: whole or as tetrahedra, however their faces are wound, with points
 // merged and renumbered like all others.
+#include "CellZoo.h"
 #include "ConvexCellsTesting.h"
 #include "VTKVersions.h"
 
@@ -196,7 +197,10 @@ void TestHangingPoints(int precision)
   CHECK(Near(VolumeWithin(filter->GetOutput()), 8.0, error));
   filter = Run(grid, true);
   CHECK(Near(TotalVolume(filter->GetOutput()), 8.0, error));
-  CHECK_EQUAL(filter->GetNumberOfDegenerateCells(), 1);
+  CHECK_EQUAL(filter->GetNumberOfDegenerateCells(), 0);
+  const CellZoo::FaceUses uses = CellZoo::CountFaceUses(filter->GetOutput());
+  CHECK_EQUAL(uses.Once, 48);
+  CHECK_EQUAL(uses.More, 0);
 }
 
 // A face that is changed where it lies is noticed.

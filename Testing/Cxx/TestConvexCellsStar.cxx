@@ -89,7 +89,7 @@ void TestStar(int tips, int precision, double scale)
     vtkTable* report = filter->GetReport();
     CHECK_EQUAL(report->GetNumberOfRows(), 1);
     CHECK_EQUAL(report->GetValueByName(0, "why").ToString(),
-      std::string("not convex: cut from a point within"));
+      std::string("no corner sees all: cut from a point within"));
   }
 }
 

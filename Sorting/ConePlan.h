@@ -1,0 +1,24 @@
+/**
+ * A cell cut from one of its vertices along the triangles of its faces, FaceTriangles, where one sees
+ * each of them from inside: no tetrahedron is dropped that another cell's face would need.
+ */
+#ifndef ConePlan_h
+#define ConePlan_h
+
+#include "ConvexCellPlan.h"
+#include "FaceTriangles.h"
+
+namespace ConePlan
+{
+/** False where no vertex sees all; then `plan` stays. `points`: as `triangles` has them; `sign`: -1
+ *  where the cell is inside out. Moves the cursor past what Write will write. */
+bool Make(const FaceTriangles& triangles, const double (*points)[3], double sign,
+  ConvexCellPlan& plan, ConvexCellCursor& cursor);
+
+/** `named`: ids in the output by vertex. */
+void Write(const ConvexCellPlan& plan, const FaceTriangles& triangles, const double (*points)[3],
+  double sign, const vtkIdType* named, vtkIdType sourceCell, const ConvexCellArrays& arrays,
+  ConvexCellCursor& cursor);
+}
+
+#endif
