@@ -195,6 +195,7 @@ inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& til
   const auto cellScalar = hn::Set(d, hasCellScalar ? task.Mesh->CellScalars[cell] : 0.0f);
   const auto scale = hn::Mul(cellScalar, hn::Set(d, float(task.Common.View->WeightScale)));
   const auto offset = hn::Mul(cellScalar, hn::Set(d, float(task.Common.View->WeightOffset)));
+  int count = out.Count;
   for (int top = 0; top < height; top += shape.Height)
   {
     const auto y = hn::Add(rows, hn::Set(d, static_cast<float>(top)));
@@ -229,10 +230,11 @@ inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& til
       }
       const int corner = (box.FirstY - tile.Bottom + top) * TileSize::Pixels + box.FirstX -
                          tile.Left + left;
-      AppendFragments(
-        covered, entry.U, exit.U, entry.S, exit.S, hn::Add(pixels, hn::Set(di, corner)), out);
+      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S,
+        hn::Add(pixels, hn::Set(di, corner)), count, out);
     }
   }
+  out.Count = count;
 }
 
 /// Appends a segment in parts over which the weight falls to a share of no less than LeastShare:

@@ -123,7 +123,7 @@ private:
       p.First = ends.First;
       p.Last = ends.Last;
       p.Piece = PieceOf(this->Values, this->Table, p.First);
-      p.Fragment = hn::Iota(di, at);
+      p.Fragment = Ramp(di, at);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
       this->ShadePiece(p, used, rest, color);

@@ -15,6 +15,7 @@
 #include "TileExactCell.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
+#include "TileMath-inl.h"
 #include "TileMesh.h"
 #include "TileTask.h"
 #include "TileView.h"
@@ -123,19 +124,18 @@ struct FaceLists
   int Entries[16] = {};
 };
 
-/// Appends the lanes of `covered`.
-inline void AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
-  CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, TileFragments& out)
+/// Puts the lanes of `covered` at `at`; returns where the next ones go.
+HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
+  CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
 {
   const CoverFloat d;
   const CoverInt di;
-  const int at = out.Count;
   hn::StoreU(hn::Compress(entry, covered), d, out.Entry + at);
   hn::StoreU(hn::Compress(hn::Sub(entry, exit), covered), d, out.Extent + at);
   hn::StoreU(hn::Compress(scalarIn, covered), d, out.ScalarIn + at);
   hn::StoreU(hn::Compress(scalarOut, covered), d, out.ScalarOut + at);
   hn::StoreU(hn::Compress(pixel, hn::RebindMask(di, covered)), di, out.Pixel + at);
-  out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
+  return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
 /// One cell of a group: `faces` has the `Entries` entry faces first.
@@ -159,6 +159,8 @@ void CoverCell(
   }
   const auto perU = hn::Set(d, g.ScalarU[k]);
   const int width = g.Width[k], height = g.Height[k];
+  // A copy: the compiler must take it that every store may change the count.
+  int count = out.Count;
   for (int top = 0; top < height; top += shape.Height)
   {
     CoverVector at[5] = { row[0], row[1], row[2], row[3], row[4] };
@@ -179,8 +181,8 @@ void CoverCell(
       if (!hn::AllFalse(d, covered))
       {
         const int corner = (g.Bottom[k] + top) * TileSize::Pixels + g.Left[k] + left;
-        AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, at[4]),
-          hn::MulAdd(perU, exit, at[4]), hn::Add(pixels, hn::Set(di, corner)), out);
+        count = AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, at[4]),
+          hn::MulAdd(perU, exit, at[4]), hn::Add(pixels, hn::Set(di, corner)), count, out);
       }
       for (int f = 0; f < 5; ++f)
       {
@@ -192,6 +194,7 @@ void CoverCell(
       row[f] = hn::Add(row[f], stepY[f]);
     }
   }
+  out.Count = count;
 }
 
 using ExactFloat = hn::CappedTag<double, 8>;
@@ -237,7 +240,7 @@ inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered,
   store(hn::Sub(entry, exit), out.Extent);
   store(hn::MulAdd(perU, entry, scalar), out.ScalarIn);
   store(hn::MulAdd(perU, exit, scalar), out.ScalarOut);
-  const auto pixels = hn::Compress(hn::Iota(di, pixel), hn::RebindMask(di, kept));
+  const auto pixels = hn::Compress(Ramp(di, pixel), hn::RebindMask(di, kept));
   hn::StoreU(pixels, di, out.Pixel + at);
   out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
 }
@@ -255,7 +258,7 @@ inline void CoverExactCell(
   {
     for (int left = firstX; left <= lastX; left += lanes)
     {
-      const auto x = hn::Add(hn::Set(d, static_cast<double>(left)), hn::Iota(d, 0.0));
+      const auto x = Ramp(d, static_cast<double>(left));
       ExactVector entry, exit;
       const auto inRow = hn::FirstN(d, static_cast<std::size_t>(lastX - left + 1));
       const auto covered =

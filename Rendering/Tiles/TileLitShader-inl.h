@@ -331,7 +331,7 @@ private:
       p.Last = ends.Last;
       p.Through = hn::Set(d, 1.0f);
       p.Piece = PieceOf(this->Values, this->Transfer, p.First);
-      p.Fragment = hn::Iota(di, at);
+      p.Fragment = Ramp(di, at);
       this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));

@@ -17,6 +17,15 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// first, first + 1, ... : hn::Iota may write the lanes one by one and wait for them.
+template <class D>
+HWY_INLINE hn::Vec<D> Ramp(D d, hn::TFromD<D> first)
+{
+  HWY_ALIGN static constexpr hn::TFromD<D> steps[16] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12,
+    13, 14, 15 };
+  return hn::Add(hn::Load(d, steps), hn::Set(d, first));
+}
+
 /// 1 / v; relative error below 5e-7 for normal numbers.
 template <class D, class Vector>
 HWY_INLINE Vector Reciprocal(D d, Vector v)

@@ -216,7 +216,7 @@ private:
       p.Last = ends.Last;
       p.Through = hn::Set(d, 1.0f);
       p.Piece = PieceOf(this->Values, this->Transfer, p.First);
-      p.Fragment = hn::Iota(di, at);
+      p.Fragment = Ramp(di, at);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
       this->ShadePiece(p, used, rest, color);
