@@ -86,7 +86,7 @@ TileRectangle ConvexTilesFrame::RectangleOf(int tile) const
 //------------------------------------------------------------------------------
 bool ConvexTilesFrame::Draw(const TileLoop::AbortCheck& isAborted, const Drawer& draw)
 {
-  const bool isDrawn = TileLoop::Run(this->TilesX, this->TilesY, isAborted, this->Scratch,
+  const bool isDrawn = TileLoop::Run(this->Bins.GetHeaviestFirst(), this->TilesX, isAborted, this->Scratch,
     [&](int tile, TileScratch& scratch)
     { draw(this->RectangleOf(tile), this->Bins.GetTile(tile), this->Bins.GetSize(tile), scratch); });
   this->Counts = this->Scratch.CollectCounts();

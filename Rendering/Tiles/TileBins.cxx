@@ -2,6 +2,9 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <numeric>
+
 namespace
 {
 constexpr int Shares = 32;
@@ -77,4 +80,8 @@ void TileBins::Accumulate(int tiles)
   }
   this->Begin[tiles] = sum;
   this->Cells.resize(sum);
+  this->HeaviestFirst.resize(tiles);
+  std::iota(this->HeaviestFirst.begin(), this->HeaviestFirst.end(), 0);
+  std::stable_sort(this->HeaviestFirst.begin(), this->HeaviestFirst.end(),
+    [this](int a, int b) { return this->GetSize(a) > this->GetSize(b); });
 }

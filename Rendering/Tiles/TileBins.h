@@ -22,6 +22,8 @@ public:
   {
     return static_cast<int>(this->Begin[tile + 1] - this->Begin[tile]);
   }
+  /** All tiles, those with the most cells first: threads that take them in this order end together. */
+  const std::vector<int>& GetHeaviestFirst() const { return this->HeaviestFirst; }
 
 private:
   template <class Visit>
@@ -33,6 +35,7 @@ private:
   std::vector<std::size_t> Begin{ 0 };
   /** Per share and tile: first how many cells, then where the next one goes. */
   std::vector<std::size_t> Places;
+  std::vector<int> HeaviestFirst;
   int TilesX = 0;
 };
 

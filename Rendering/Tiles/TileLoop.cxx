@@ -39,26 +39,28 @@ private:
 }
 
 //------------------------------------------------------------------------------
-bool TileLoop::Run(int tilesX, int tilesY, const AbortCheck& isAborted, TileScratchPool& pool,
-  const Drawer& draw)
+bool TileLoop::Run(const std::vector<int>& tiles, int row, const AbortCheck& isAborted,
+  TileScratchPool& pool, const Drawer& draw)
 {
   AbortAnswer answer(isAborted);
-  const int tiles = tilesX * tilesY;
+  const int count = static_cast<int>(tiles.size());
   const bool callerWaits = std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0;
-  const int share = isAborted && callerWaits ? tilesX : tiles;
-  for (int first = 0; first < tiles; first += share)
+  const int share = isAborted && callerWaits ? row : count;
+  for (int first = 0; first < count; first += share)
   {
-    vtkSMPTools::For(first, std::min(first + share, tiles), 1,
-      [&](vtkIdType begin, vtkIdType end)
+    const int end = std::min(first + share, count);
+    std::atomic<int> next{ first };
+    vtkSMPTools::For(0, std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads()), 1,
+      [&](vtkIdType, vtkIdType)
       {
         std::unique_ptr<TileScratch> scratch = pool.Take();
-        for (auto tile = static_cast<int>(begin); tile < end && !answer.IsAborted(); ++tile)
+        for (int i = next++; i < end && !answer.IsAborted(); i = next++)
         {
-          draw(tile, *scratch);
+          draw(tiles[i], *scratch);
         }
         pool.Return(std::move(scratch));
       });
-    if (answer.IsGiven() || (first + share < tiles && answer.IsAborted()))
+    if (answer.IsGiven() || (end < count && answer.IsAborted()))
     {
       return false;
     }

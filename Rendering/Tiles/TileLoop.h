@@ -3,12 +3,13 @@
  *
  * Whether it is given up is asked before every tile of the thread that called: a window may only be
  * asked from there. Where that thread does not work itself (vtkSMPTools' STDThread), it is asked
- * after every row of tiles.
+ * after as many tiles as are in a row.
  */
 #ifndef TileLoop_h
 #define TileLoop_h
 
 #include <functional>
+#include <vector>
 
 class TileScratchPool;
 struct TileScratch;
@@ -19,8 +20,9 @@ namespace TileLoop
 using AbortCheck = std::function<bool()>;
 using Drawer = std::function<void(int tile, TileScratch& scratch)>;
 
-/** Tiles lie in rows of `tilesX`. False where the frame was given up: not all tiles are drawn. */
-bool Run(int tilesX, int tilesY, const AbortCheck& isAborted, TileScratchPool& pool,
+/** Threads take the tiles one by one in this order; `row`: how many are a row of the image. False
+ *  where the frame was given up: not all tiles are drawn. */
+bool Run(const std::vector<int>& tiles, int row, const AbortCheck& isAborted, TileScratchPool& pool,
   const Drawer& draw);
 }
 

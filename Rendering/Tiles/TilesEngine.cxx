@@ -160,7 +160,7 @@ void TilesEngine::SetLighting(const Scene& scene)
 //------------------------------------------------------------------------------
 bool TilesEngine::Project(const Scene& scene)
 {
-  const bool isDrawn = TileLoop::Run(this->TilesX, this->TilesY, scene.IsAborted, this->Scratch,
+  const bool isDrawn = TileLoop::Run(this->Bins.GetHeaviestFirst(), this->TilesX, scene.IsAborted, this->Scratch,
     [this](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch); });
   this->Counts = this->Scratch.CollectCounts();
   // Of a frame that was given up some tiles have put their lists in order, the others have not.
