@@ -1,10 +1,12 @@
 // Mappers: ours by both engines and VTK's projected tetrahedra on the same meshes, views and
 // transfer functions, frames interleaved, each one's error against the float64 oracle in the same
-// row. Sorts: every visibility sort on the same meshes and eyes. Cuts: what convexification costs
-// and gives. Hexahedra: the mappers that draw cells as they are, beside those of tetrahedra.
-// Simplification: levels of a mesh, as CSV. Cells: what vtkConvexCells takes. Shells: the paper's
-// tables. Surfaces: iso-surfaces of moving meshes beside contours.
-//   CellProjectionBenchmark [frames [mappers|sorts|cuts|hexahedra|simplification|cells|shells|surfaces]];
+// row. Tiles: stages, sizes, pixels, threads, ray casters. Sorts: every visibility sort on the same
+// meshes and eyes. Cuts: what convexification costs and gives. Hexahedra: the mappers that draw
+// cells as they are, beside those of tetrahedra. Simplification: levels of a mesh, as CSV. Cells:
+// what vtkConvexCells takes. Shells: the paper's tables. Surfaces: iso-surfaces of moving meshes
+// beside contours.
+//   CellProjectionBenchmark [frames [SECTION]]; one of mappers, tiles, sorts, cuts, hexahedra,
+//   simplification, cells, shells, surfaces;
 //   the data's folder is in CELLPROJECTION_DATA
 
 #include "BenchmarkScene.h"
@@ -17,6 +19,8 @@
 #include "SimplificationBenchmark.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
+#include "ThreadHandOver.h"
+#include "TilesBenchmark.h"
 
 #include "vtkCellProjectionOracle.h"
 #include "vtkImageData.h"
@@ -203,6 +207,7 @@ void CompareMappersOnMeshes(const BenchmarkMesh& mesh, int frames)
 
 void CompareSorts(const BenchmarkMesh& mesh, int frames)
 {
+  ThreadHandOver::Print();
   SortBenchmark benchmark;
   benchmark.Run(mesh.Name, mesh.Grid, frames);
   benchmark.Run("a jittered lattice", SortBenchmark::MakeLattice(60), frames);
@@ -271,6 +276,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "mappers")
   {
     CompareMappersOnMeshes(mesh, frames);
+  }
+  if (section.empty() || section == "tiles")
+  {
+    TilesBenchmark::Run(mesh.Name, mesh.Grid, frames);
   }
   if (section.empty() || section == "sorts")
   {

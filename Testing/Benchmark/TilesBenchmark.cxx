@@ -3,6 +3,7 @@
 #include "BenchmarkScene.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
+#include "ThreadHandOver.h"
 
 #include "vtkPreIntegratedTetrahedraMapper.h"
 #include "vtkSMPTools.h"
@@ -14,14 +15,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <functional>
 
 namespace
 {
 constexpr int ImageSize = 512;
-// A frame of ZSweep takes seconds.
-constexpr int SweepFrames = 3;
+// Of ZSweep, whose frames take seconds.
+constexpr int FewFrames = 3;
+constexpr int LatticeOfCasters = 30;
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeLattice(int cells)
 {
@@ -47,53 +48,130 @@ vtkSmartPointer<RayCaster> MakeRayCaster()
   return mapper;
 }
 
-// After a first frame, of which `see` is told.
-double MedianOf(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid, int size,
-  int frames, bool spiky = false, const std::function<void()>& see = [] {})
+struct View
 {
-  BenchmarkScene scene(mapper, grid, size, spiky);
+  int Size = ImageSize;
+  int Frames = 9;
+  bool IsSpiky = false;
+};
+
+// Seconds of a frame after the first; `see` is called after each.
+double TimeFrames(vtkUnstructuredGridVolumeMapper* mapper, vtkUnstructuredGrid* grid,
+  const View& view, const std::function<void()>& see = [] {})
+{
+  BenchmarkScene scene(mapper, grid, view.Size, view.IsSpiky);
   scene.TimeFrame(0);
   std::vector<double> seconds;
-  for (int frame = 1; frame <= frames; ++frame)
+  for (int frame = 1; frame <= view.Frames; ++frame)
   {
     seconds.push_back(scene.TimeFrame(frame));
     see();
   }
-  std::vector<double> c=seconds; std::sort(c.begin(),c.end()); std::fprintf(stderr,"MIN %.2f Q1 %.2f\n",1e3*c[0],1e3*c[c.size()/4]);
   return Median(seconds);
 }
 
-void PrintStages(const std::string& name, vtkUnstructuredGrid* grid, int frames)
+void PrintStages(const std::string& name, vtkUnstructuredGrid* grid, const View& view)
 {
   const char* const stages[] = { "SecondsPrepare", "SecondsSort", "SecondsProject", "SecondsBlend" };
-  for (const bool spiky : { getenv("SPIKY") != nullptr })
-  {
-    const auto mapper = MakeTiles();
-    std::vector<double> seconds[4];
-    const double whole = MedianOf(mapper, grid, ImageSize, frames, spiky,
-      [&]
-      {
-        for (int i = 0; i < 4; ++i)
-        {
-          vtkTable* statistics = mapper->GetLastStatistics();
-          seconds[i].push_back(statistics->GetValueByName(0, stages[i]).ToDouble());
-        }
-      });
-    std::printf("%-28s %-6s %9.1f", name.c_str(), spiky ? "spiky" : "smooth", 1e3 * whole);
-    for (const std::vector<double>& stage : seconds)
+  const auto mapper = MakeTiles();
+  std::vector<double> seconds[4];
+  const double whole = TimeFrames(mapper, grid, view,
+    [&]
     {
-      std::printf(" %9.1f", 1e3 * Median(stage));
-    }
-    std::printf("\n");
+      for (int i = 0; i < 4; ++i)
+      {
+        vtkTable* statistics = mapper->GetLastStatistics();
+        seconds[i].push_back(statistics->GetValueByName(0, stages[i]).ToDouble());
+      }
+    });
+  std::printf("%-28s %-6s %9.1f", name.c_str(), view.IsSpiky ? "spiky" : "smooth", 1e3 * whole);
+  for (const std::vector<double>& stage : seconds)
+  {
+    std::printf(" %9.2f", 1e3 * Median(stage));
   }
+  std::printf("\n");
+}
+
+void CompareStages(const std::string& name, vtkUnstructuredGrid* grid, int frames)
+{
+  std::printf("\nTiles, where a frame's time goes, %d x %d pixels, %d frames, a new eye each\n"
+              "%-28s %-6s %9s %9s %9s %9s %9s\n",
+    ImageSize, ImageSize, frames, "mesh", "", "median ms", "prepare", "sort", "project", "blend");
+  const auto lattice = MakeLattice(LatticeOfCasters);
+  for (const bool spiky : { false, true })
+  {
+    PrintStages(name, grid, { ImageSize, frames, spiky });
+    PrintStages("a jittered lattice", lattice, { ImageSize, frames, spiky });
+  }
+}
+
+void CompareSizes(int frames)
+{
+  std::printf("\nTiles, ten times the cells\n%12s %9s %12s\n", "tetrahedra", "median ms", "of the first");
+  double first = 0.0;
+  for (const int cells : { 13, 28, 60 })
+  {
+    const auto grid = MakeLattice(cells);
+    const double seconds = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
+    first = first == 0.0 ? seconds : first;
+    std::printf("%12lld %9.1f %12.2f\n", static_cast<long long>(grid->GetNumberOfCells()),
+      1e3 * seconds, seconds / first);
+  }
+}
+
+void ComparePixels(const std::string& name, vtkUnstructuredGrid* grid, int frames)
+{
+  std::printf("\nTiles, four times the pixels, %s\n%12s %9s %12s\n", name.c_str(), "pixels",
+    "median ms", "of the first");
+  double first = 0.0;
+  for (const int size : { 256, 512, 1024, 2048 })
+  {
+    const double seconds = TimeFrames(MakeTiles(), grid, { size, frames });
+    first = first == 0.0 ? seconds : first;
+    std::printf("%5d x %4d %9.1f %12.2f\n", size, size, 1e3 * seconds, seconds / first);
+  }
+}
+
+void CompareThreads(const std::string& name, vtkUnstructuredGrid* grid, int frames)
+{
+  const int most = vtkSMPTools::GetEstimatedNumberOfThreads();
+  std::printf("\nTiles, threads, %s\n%12s %9s %12s\n", name.c_str(), "threads", "median ms", "faster");
+  double first = 0.0;
+  for (int threads = 1; threads <= most; threads *= 2)
+  {
+    vtkSMPTools::Initialize(threads);
+    const double seconds = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
+    first = first == 0.0 ? seconds : first;
+    std::printf("%12d %9.1f %12.2f\n", threads, 1e3 * seconds, first / seconds);
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+void CompareCasters(int frames)
+{
+  const auto grid = MakeLattice(LatticeOfCasters);
+  std::printf("\nVTK's ray casters, a ray for every pixel, a jittered lattice of %lld tetrahedra\n"
+              "%-28s %7s %10s %8s\n",
+    static_cast<long long>(grid->GetNumberOfCells()), "mapper", "frames", "median ms", "Tiles");
+  const int few = std::min(frames, FewFrames);
+  const double tiles = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
+  const double bunyk = TimeFrames(
+    MakeRayCaster<vtkUnstructuredGridVolumeRayCastMapper>(), grid, { ImageSize, frames });
+  const double sweep = TimeFrames(
+    MakeRayCaster<vtkUnstructuredGridVolumeZSweepMapper>(), grid, { ImageSize, few });
+  std::printf("%-28s %7d %10.1f %8.1f\n", "ours, Tiles", frames, 1e3 * tiles, 1.0);
+  std::printf("%-28s %7d %10.1f %8.1f\n", "VTK Bunyk", frames, 1e3 * bunyk, bunyk / tiles);
+  std::printf("%-28s %7d %10.1f %8.1f\n", "VTK ZSweep", few, 1e3 * sweep, sweep / tiles);
 }
 }
 
 //------------------------------------------------------------------------------
 void TilesBenchmark::Run(const std::string& name, vtkUnstructuredGrid* grid, int frames)
 {
-  std::printf("\nTiles, where a frame's time goes, %d x %d pixels, %d frames, a new eye each\n"
-              "%-28s %-6s %9s %9s %9s %9s %9s\n",
-    ImageSize, ImageSize, frames, "mesh", "", "median ms", "prepare", "sort", "project", "blend");
-  if (getenv("LAT")) PrintStages("lattice", MakeLattice(32), frames); else PrintStages(name, grid, frames);
+  ThreadHandOver::Print();
+  CompareStages(name, grid, frames);
+  CompareSizes(frames);
+  ComparePixels(name, grid, frames);
+  CompareThreads(name, grid, frames);
+  CompareCasters(frames);
 }

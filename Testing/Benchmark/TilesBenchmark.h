@@ -5,11 +5,11 @@
 
 class vtkUnstructuredGrid;
 
-/// How the Tiles engine's frame grows with cells, pixels and threads, where its time goes, and VTK's
+/// Where the time of a frame by Tiles goes, how it grows with cells, pixels and threads, and VTK's
 /// ray casters beside it.
 namespace TilesBenchmark
 {
-/// Every table; `grid` with `name` is shown beside the lattices.
+/// All tables; `grid` with `name` stands beside the lattices.
 void Run(const std::string& name, vtkUnstructuredGrid* grid, int frames);
 }
 
