@@ -3,6 +3,7 @@
 
 #include "BackToFrontOrder.h"
 #include "CellProjectionFrame.h"
+#include "DrawnCells.h"
 #include "ElementBuffers.h"
 #include "ElementProjection.h"
 #include "IsoSurfaces.h"
@@ -38,6 +39,7 @@ public:
   std::unique_ptr<BackToFrontOrder> Order;
   vtkTimeStamp OrderTime;
   ElementProjection Projection;
+  DrawnCells Drawn;
 
   IsoSurfaces Surfaces;
   // What the last frame left for the window's depth.
@@ -66,10 +68,18 @@ public:
   }
 
   /// Cell projection.
-  bool DrawOrdered(const CellProjectionFrame& frame, std::string& failure)
+  bool DrawOrdered(
+    const CellProjectionFrame& frame, const PreparedVolume& prepared, std::string& failure)
   {
-    const bool drawn = this->Projection.Draw(frame.Window, frame.GetRasterView(),
-      this->Elements.MakeVertices(this->Order->Cells), this->Buffers);
+    this->Drawn.Build(*this->Order, this->Elements.Cells);
+    const std::vector<int> vertices = this->Elements.MakeVertices(this->Drawn.Cells);
+    ElementProjection::View view;
+    static_cast<RasterView&>(view) = frame.GetRasterView();
+    view.Cells = &this->Drawn;
+    view.Vertices = &vertices;
+    view.Points = &prepared.Coordinates.Points;
+    view.Corners = &this->Elements.Selection.Corners;
+    const bool drawn = this->Projection.Draw(frame.Window, view, this->Buffers);
     failure = drawn ? "" : this->Projection.GetFailure();
     return drawn;
   }

@@ -1,16 +1,18 @@
 #include "DrawnCells.h"
 
 #include "BackToFrontOrder.h"
+#include "ShellCells.h"
 #include "TetrahedraSelection.h"
 
 //------------------------------------------------------------------------------
+template <class Predicate>
 void DrawnCells::Append(
-  const vtkIdType* begin, const vtkIdType* end, const TetrahedraSelection& selection, bool isCyclic)
+  const vtkIdType* begin, const vtkIdType* end, const Predicate& isDrawn, bool isCyclic)
 {
   const int first = static_cast<int>(this->Cells.size());
   for (const vtkIdType* cell = begin; cell != end; ++cell)
   {
-    if (selection.IsDrawn(*cell))
+    if (isDrawn(*cell))
     {
       this->Cells.push_back(static_cast<unsigned int>(*cell));
     }
@@ -32,7 +34,8 @@ void DrawnCells::Append(
 }
 
 //------------------------------------------------------------------------------
-void DrawnCells::Build(const BackToFrontOrder& order, const TetrahedraSelection& selection)
+template <class Predicate>
+void DrawnCells::BuildFrom(const BackToFrontOrder& order, const Predicate& isDrawn)
 {
   this->Cells.clear();
   this->Cells.reserve(order.Cells.size());
@@ -42,9 +45,21 @@ void DrawnCells::Build(const BackToFrontOrder& order, const TetrahedraSelection&
   vtkIdType done = 0;
   for (const BackToFrontOrder::Span& group : order.CyclicGroups)
   {
-    this->Append(cells + done, cells + group.Begin, selection, false);
-    this->Append(cells + group.Begin, cells + group.End, selection, true);
+    this->Append(cells + done, cells + group.Begin, isDrawn, false);
+    this->Append(cells + group.Begin, cells + group.End, isDrawn, true);
     done = group.End;
   }
-  this->Append(cells + done, cells + order.Cells.size(), selection, false);
+  this->Append(cells + done, cells + order.Cells.size(), isDrawn, false);
+}
+
+//------------------------------------------------------------------------------
+void DrawnCells::Build(const BackToFrontOrder& order, const TetrahedraSelection& selection)
+{
+  this->BuildFrom(order, [&selection](vtkIdType cell) { return selection.IsDrawn(cell); });
+}
+
+//------------------------------------------------------------------------------
+void DrawnCells::Build(const BackToFrontOrder& order, const ShellCells& cells)
+{
+  this->BuildFrom(order, [&cells](vtkIdType cell) { return cells.IsSeen(cell); });
 }

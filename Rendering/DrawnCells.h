@@ -6,6 +6,7 @@
 #include <vector>
 
 class BackToFrontOrder;
+class ShellCells;
 class TetrahedraSelection;
 
 /**
@@ -24,6 +25,8 @@ public:
   };
 
   void Build(const BackToFrontOrder& order, const TetrahedraSelection& selection);
+  /// Those that are seen.
+  void Build(const BackToFrontOrder& order, const ShellCells& cells);
 
   std::vector<unsigned int> Cells;
   std::vector<Run> Runs;
@@ -34,8 +37,11 @@ public:
   static constexpr int LargestGroup = 1500;
 
 private:
-  void Append(const vtkIdType* begin, const vtkIdType* end, const TetrahedraSelection& selection,
-    bool isCyclic);
+  template <class Predicate>
+  void BuildFrom(const BackToFrontOrder& order, const Predicate& isDrawn);
+  template <class Predicate>
+  void Append(
+    const vtkIdType* begin, const vtkIdType* end, const Predicate& isDrawn, bool isCyclic);
 };
 
 #endif

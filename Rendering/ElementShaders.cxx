@@ -2,6 +2,7 @@
 
 #include "RayUniforms.h"
 #include "cpElement.h"
+#include "cpElementCrossing.h"
 #include "cpElementGeometry.h"
 #include "cpElementInverse.h"
 #include "cpElementPassage.h"
@@ -47,6 +48,7 @@ std::string WithElement(const std::string& fragment, bool isTextured)
   put("//VTK::Element::Dec", cpElement);
   put("//VTK::Scalar::Dec", isTextured ? cpTextureScalar : cpPointScalar);
   put("//VTK::Passage::Dec", cpElementPassage);
+  put("//VTK::Crossing::Dec", cpElementCrossing);
   put("//VTK::TransferFunction::Dec", cpTransferFunction);
   put("//VTK::Integral::Dec", std::string(cpOpticalDepth) + cpIntegral);
   put("//VTK::Segment::Dec", cpSegment);

@@ -14,7 +14,7 @@ class vtkShaderProgram;
  */
 namespace ElementShaders
 {
-/// `fragment` with what its tags Element, Scalar, Passage, TransferFunction, Integral and Segment
+/// `fragment` with what its tags Element, Scalar, Passage, Crossing, TransferFunction, Integral and Segment
 /// stand for. `isTextured`: scalars are those of a VolumeTexture.
 std::string WithElement(const std::string& fragment, bool isTextured = false);
 

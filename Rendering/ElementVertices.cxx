@@ -29,19 +29,41 @@ bool ElementVertices::Draw(const std::vector<int>& vertices, vtkShaderProgram* p
   {
     return true;
   }
+  const bool good = this->Begin(vertices);
+  if (good)
+  {
+    this->DrawPart(
+      0, static_cast<int>(vertices.size()) / ElementLists::IntegersPerVertex, program);
+  }
+  this->End();
+  return good;
+}
+
+//------------------------------------------------------------------------------
+bool ElementVertices::Begin(const std::vector<int>& vertices)
+{
   this->VertexArray.Bind();
   const bool good = this->Buffer->Upload(vertices, vtkOpenGLBufferObject::ArrayBuffer);
   if (good)
   {
     this->Buffer->Bind();
-    SetAttribute(program, "corners", 0, 4);
-    SetAttribute(program, "source", 4, 1);
-    glDrawArrays(
-      GL_POINTS, 0, static_cast<int>(vertices.size()) / ElementLists::IntegersPerVertex);
-    this->Buffer->Release();
   }
-  EmptyVertexArray::Release();
   return good;
+}
+
+//------------------------------------------------------------------------------
+void ElementVertices::DrawPart(int first, int count, vtkShaderProgram* program)
+{
+  SetAttribute(program, "corners", 0, 4);
+  SetAttribute(program, "source", 4, 1);
+  glDrawArrays(GL_POINTS, first, count);
+}
+
+//------------------------------------------------------------------------------
+void ElementVertices::End()
+{
+  this->Buffer->Release();
+  EmptyVertexArray::Release();
 }
 
 //------------------------------------------------------------------------------

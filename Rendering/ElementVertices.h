@@ -19,6 +19,13 @@ public:
   /// Uploads the list and draws it with the program that is ready. False where the driver has no
   /// room for it. The context must be current.
   bool Draw(const std::vector<int>& vertices, vtkShaderProgram* program);
+
+  ///@{
+  /// The same in parts: `count` elements from `first` on, by any program that is ready.
+  bool Begin(const std::vector<int>& vertices);
+  void DrawPart(int first, int count, vtkShaderProgram* program);
+  void End();
+  ///@}
   void ReleaseGraphicsResources();
 
 private:

@@ -1,5 +1,6 @@
 #include "MapperMessages.h"
 
+#include "DrawnCells.h"
 #include "RayUniforms.h"
 #include "ScalarField.h"
 #include "vtkDataArray.h"
@@ -62,6 +63,18 @@ std::string FlatTetrahedra(vtkIdType count)
   return std::to_string(count) +
          " tetrahedra are too small beside the whole mesh for its float coordinates: they are not "
          "drawn; render their part of the mesh on its own.";
+}
+
+//------------------------------------------------------------------------------
+std::string UnresolvedCells(vtkIdType count)
+{
+  if (count == 0)
+  {
+    return "";
+  }
+  return std::to_string(count) + " cells hide each other in circles of more than " +
+         std::to_string(DrawnCells::LargestGroup) +
+         ": too many to put in order per pixel, the image is not exact there.";
 }
 
 //------------------------------------------------------------------------------

@@ -26,6 +26,9 @@ std::string ExcessPlanes(vtkPlaneCollection* planes);
 /// That so many have no volume as floats; empty where none has.
 std::string FlatTetrahedra(vtkIdType count);
 
+/// That so many cells hide each other in circles too large for class DepthLayers; empty for none.
+std::string UnresolvedCells(vtkIdType count);
+
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars);
 }
 

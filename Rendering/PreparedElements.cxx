@@ -122,11 +122,11 @@ std::vector<int> PreparedElements::MakeVertices() const
 }
 
 //------------------------------------------------------------------------------
-std::vector<int> PreparedElements::MakeVertices(const std::vector<vtkIdType>& order) const
+std::vector<int> PreparedElements::MakeVertices(const std::vector<unsigned int>& cells) const
 {
   std::vector<int> vertices;
-  vertices.reserve(5 * static_cast<size_t>(this->Cells.NumberOfSeenCells));
-  for (const vtkIdType cell : order)
+  vertices.reserve(5 * cells.size());
+  for (const unsigned int cell : cells)
   {
     this->Append(cell, vertices);
   }

@@ -40,9 +40,9 @@ public:
   void CountTurnedCells(const PreparedVolume& prepared, const std::vector<int>* among = nullptr);
   void FillStatistics(FrameStatistics& statistics) const;
 
-  /// Those that are seen as ElementLists gives them: as they come, or in an order of all cells.
+  /// Those that are seen as ElementLists gives them, as they come; these cells.
   std::vector<int> MakeVertices() const;
-  std::vector<int> MakeVertices(const std::vector<vtkIdType>& order) const;
+  std::vector<int> MakeVertices(const std::vector<unsigned int>& cells) const;
 
   TetrahedraSelection Selection;
   ShellCells Cells;

@@ -2,6 +2,7 @@
 
 #include "BarycentricShellInternals.h"
 #include "MeshBlocks.h"
+#include "MapperMessages.h"
 #include "MeshExtent.h"
 #include "vtkDataArray.h"
 #include "vtkObjectFactory.h"
@@ -240,8 +241,9 @@ bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
     drawn = inShells ? internal.DrawShells(frame, prepared, *this, problem)
             : this->DrawsIntoWindow() ? internal.DrawIntoWindow(frame, prepared, problem)
             : this->BlendMode == ISOSURFACE ? internal.DrawSurfaces(frame, prepared, problem)
-                                            : internal.DrawOrdered(frame, problem);
+                                            : internal.DrawOrdered(frame, prepared, problem);
   }
+  this->WarnOnce(MapperMessages::UnresolvedCells(internal.Drawn.NumberOfUnresolvedCells));
   problem = problem.empty() ? internal.Buffers.GetFailure() : problem;
   if (drawn && !problem.empty())
   {
@@ -261,7 +263,7 @@ void vtkBarycentricShellMapper::ReleaseBuffers(vtkWindow* window)
 {
   this->Internal->Buffers.ReleaseGraphicsResources(window);
   this->Internal->Shells.ReleaseGraphicsResources(window);
-  this->Internal->Projection.ReleaseGraphicsResources();
+  this->Internal->Projection.ReleaseGraphicsResources(window);
   this->Internal->Surfaces.ReleaseGraphicsResources(window);
   this->Superclass::ReleaseBuffers(window);
 }

@@ -77,7 +77,7 @@ public:
   /**
    * How absorption and emission are drawn. Shells: sampled, in no order. CellProjection: each
    * tetrahedron from its entry to its exit by the exact integral, from back to front (the paper's
-   * section 5); cells that hide each other in a circle are drawn as they come. Where the driver
+   * section 5); cells that hide each other in a circle are put in order per pixel. Where the driver
    * cannot blend floats to their maximum, CellProjection is drawn. Default: Shells.
    */
   vtkSetClampMacro(Method, int, SHELLS, CELL_PROJECTION);

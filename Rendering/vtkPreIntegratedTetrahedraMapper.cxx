@@ -233,13 +233,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
   {
     return true;
   }
-  if (internal.Drawn.NumberOfUnresolvedCells > 0)
-  {
-    this->WarnOnce(std::to_string(internal.Drawn.NumberOfUnresolvedCells) +
-                   " cells hide each other in circles of more than " +
-                   std::to_string(DrawnCells::LargestGroup) +
-                   ": too many to put in order per pixel, the image is not exact there.");
-  }
+  this->WarnOnce(MapperMessages::UnresolvedCells(internal.Drawn.NumberOfUnresolvedCells));
   const bool good = internal.Raster.UploadOrder(internal.Drawn);
   if (good)
   {

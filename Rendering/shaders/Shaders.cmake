@@ -14,11 +14,13 @@ set(shaders
   cpDepthLayer
   cpDirectColour
   cpElement
+  cpElementCrossing
   cpElementGeometry
   cpElementGradient
   cpElementInverse
   cpElementPassage
   cpElementProjection
+  cpElementSearch
   cpElementVertex
   cpEmission
   cpExponentialOpacity

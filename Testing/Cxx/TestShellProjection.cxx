@@ -1,7 +1,10 @@
 // Cell projection by the barycentric stages: exact where the order is right, thin slabs keep their
-// opacity (M1), and moved points are ordered anew.
+// opacity (M1), moved points are ordered anew, and cells that hide each other in a circle are put in
+// order per pixel.
 
-#include "FaceOrderSort.h"
+#include "GroupSort.h"
+#include "PolyhedraMeshes.h"
+#include "SortMeshes.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
 #include "vtkBarycentricShellMapper.h"
@@ -73,6 +76,50 @@ void CheckMoved(TestChecks& checks, TestScene& scene)
   grid->GetPoints()->Modified();
   CheckExact(checks, scene, "after");
 }
+
+// The meshes whose cells do hide each other, from where they do.
+void CheckTangles(TestChecks& checks, TestScene& scene)
+{
+  scene.SetSmooth();
+  int tangles = 0;
+  for (const SortMeshes::Entry& entry : SortMeshes::All())
+  {
+    if (!entry.Tangle)
+    {
+      continue;
+    }
+    auto grid = entry.Make();
+    PolyhedraMeshes::FitUnitCube(grid);
+    TestMeshes::SetField(grid, TestMeshes::Waves);
+    vtkNew<vtkConvexCells> cut;
+    cut->SetInputData(grid);
+    cut->TetrahedraOnlyOn();
+    cut->Update();
+    scene.SetGrid(cut->GetOutput());
+    scene.LookFrom(0.0, 0.0, 3.0);
+    CheckExact(checks, scene, entry.Name);
+    const int cycles = scene.Mapper->GetLastStatistics()->GetValueByName(0, "Cycles").ToInt();
+    checks.Check(cycles > 0, entry.Name.c_str(), __LINE__);
+    ++tangles;
+  }
+  CHECK(tangles > 0);
+}
+
+// No order at all: every cell is in one group, shuffled.
+void CheckGroup(TestChecks& checks, TestScene& scene)
+{
+  vtkNew<GroupSort> group;
+  vtkBarycentricShellMapper::SafeDownCast(scene.Mapper)->SetVisibilitySort(group);
+  scene.SetGrid(TestMeshes::Delaunay(60));
+  for (const bool spiky : { false, true })
+  {
+    spiky ? scene.SetSpiky() : scene.SetSmooth();
+    scene.LookFrom(0.5, 0.8, 2.2);
+    CheckExact(checks, scene, "one group");
+    scene.LookFrom(0.1, 0.05, 0.15);
+    CheckExact(checks, scene, "one group, from inside");
+  }
+}
 }
 
 int TestShellProjection(int, char*[])
@@ -84,5 +131,7 @@ int TestShellProjection(int, char*[])
   CheckViews(checks, scene);
   CheckThinSlabs(checks, scene);
   CheckMoved(checks, scene);
+  CheckTangles(checks, scene);
+  CheckGroup(checks, scene);
   return checks.Result();
 }
