@@ -118,6 +118,7 @@ void CheckScale(TestChecks& checks, Way way)
 void CheckNumbering(TestChecks& checks, Way way)
 {
   WayScene scene(way);
+  vtkBarycentricShellMapper::SafeDownCast(scene.Mapper)->SetSamplesPerRay(400.0);
   std::vector<int> numbering = { 0, 1, 2, 3 };
   scene.SetGrid(TestMeshes::Tetrahedron(numbering));
   scene.Render();
