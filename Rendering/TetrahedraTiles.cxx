@@ -78,6 +78,8 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   {
     return nullptr;
   }
+  frame.Statistics.CellsSkippedOutside = this->Engine.CountCellsOutside();
+  frame.Statistics.CellsDrawn -= frame.Statistics.CellsSkippedOutside;
   frame.Statistics.RepairedPixels = this->Engine.GetCounts().RepairedPixels;
   return this->Engine.GetImage().data();
 }

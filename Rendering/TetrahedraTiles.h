@@ -28,7 +28,8 @@ public:
   void UpdateShading(const VolumeShading& shading);
 
   /// Premultiplied RGBA of frame.ImageSize; null where it cannot. `order` null: the engine
-  /// finds its own. Sets the frame's RepairedPixels.
+  /// finds its own. Sets the frame's RepairedPixels,
+  /// CellsSkippedOutside and, less those, CellsDrawn.
   const float* Draw(CellProjectionFrame& frame, const PreparedVolume& prepared,
     const VolumeShading& shading, const BackToFrontOrder* order);
 

@@ -169,8 +169,10 @@ public:
    * One row about the last frame. Columns: Method, Engine, CellsIn (of the input), CellsDrawn
    * (projected: tetrahedra where the method cuts cells up), CellsSkippedTransparent (likewise),
    * CellsSkippedInvalid (cells of the input that are no cells to draw, plus projected ones with a
-   * scalar that is not finite), CellsSkippedOutside, Cycles (groups of cells
-   * that hide each other in a circle), MisorderedFaces (where the mapper is asked to count),
+   * scalar that is not finite), CellsSkippedOutside (worth drawing, but outside the viewport or behind
+   * a clipping plane or opaque geometry: found in runs, so that some cells there count as drawn),
+   * Cycles (groups of cells that hide each other in a circle), MisorderedFaces (where the mapper is
+   * asked to count),
    * RepairedPixels, SecondsPrepare, SecondsSort, SecondsProject (until the driver is done),
    * SecondsBlend. What a method does not have is 0. A frame of fewer rays than pixels has one more,
    * ImageSampleDistance: pixels from ray to ray.

@@ -57,7 +57,7 @@ void ConvexTilesFrame::SetCells(
   {
     this->Faces.Project(this->Mesh, this->View, this->Vertices, bounds);
     this->Cells.Project(this->Mesh, this->View, this->Vertices, this->Faces, allExact);
-    this->Bins.Fill(this->Cells.Tiles, this->Order, this->TilesX, this->TilesY);
+    this->Bins.Fill(this->Cells.Tiles, this->Order, nullptr, this->TilesX, this->TilesY);
     this->SeenBounds = bounds;
     this->SeenAllExact = allExact;
     this->HasCells = true;

@@ -1,5 +1,6 @@
 #include "TileBins.h"
 
+#include "TileClusters.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -13,13 +14,18 @@ constexpr int Shares = 32;
 //------------------------------------------------------------------------------
 template <class Visit>
 void TileBins::VisitShare(const std::vector<std::uint32_t>& boxes, const std::vector<int>* order,
-  int share, Visit&& visit) const
+  const TileClusters* clusters, int share, Visit&& visit) const
 {
   const std::size_t first = boxes.size() * share / Shares;
   const std::size_t last = boxes.size() * (share + 1) / Shares;
   for (std::size_t i = first; i < last; ++i)
   {
     const int cell = order ? (*order)[i] : static_cast<int>(i);
+    if (clusters && !order && !clusters->IsSeen(cell))
+    {
+      i |= TileClusters::Size - 1;
+      continue;
+    }
     const std::uint32_t box = boxes[cell];
     // Most cells touch one tile.
     if (((box ^ box >> 8) & 0x00ff00ffu) == 0)
@@ -38,8 +44,8 @@ void TileBins::VisitShare(const std::vector<std::uint32_t>& boxes, const std::ve
 }
 
 //------------------------------------------------------------------------------
-void TileBins::Fill(
-  const std::vector<std::uint32_t>& boxes, const std::vector<int>* order, int tilesX, int tilesY)
+void TileBins::Fill(const std::vector<std::uint32_t>& boxes, const std::vector<int>* order,
+  const TileClusters* clusters, int tilesX, int tilesY)
 {
   const int tiles = tilesX * tilesY;
   this->TilesX = tilesX;
@@ -52,7 +58,7 @@ void TileBins::Fill(
         for (vtkIdType share = begin; share < end; ++share)
         {
           std::size_t* places = &this->Places[share * tiles];
-          this->VisitShare(boxes, order, static_cast<int>(share), visitOf(places));
+          this->VisitShare(boxes, order, clusters, static_cast<int>(share), visitOf(places));
         }
       });
   };

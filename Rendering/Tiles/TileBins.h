@@ -9,12 +9,15 @@
 #include <cstdint>
 #include <vector>
 
+class TileClusters;
+
 class TileBins
 {
 public:
-  /** `boxes` of class TileCells; `order`: ids of cells, null for 0, 1, 2 and so on. */
-  void Fill(
-    const std::vector<std::uint32_t>& boxes, const std::vector<int>* order, int tilesX, int tilesY);
+  /** `boxes` of class TileCells; `order`: ids of cells, null for 0, 1, 2 and so on; `clusters`: those
+   *  of them that are seen, null for all. */
+  void Fill(const std::vector<std::uint32_t>& boxes, const std::vector<int>* order,
+    const TileClusters* clusters, int tilesX, int tilesY);
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Begin.size()) - 1; }
   int* GetTile(int tile) { return this->Cells.data() + this->Begin[tile]; }
@@ -27,8 +30,8 @@ public:
 
 private:
   template <class Visit>
-  void VisitShare(const std::vector<std::uint32_t>& boxes, const std::vector<int>* order, int share,
-    Visit&& visit) const;
+  void VisitShare(const std::vector<std::uint32_t>& boxes, const std::vector<int>* order,
+    const TileClusters* clusters, int share, Visit&& visit) const;
   void Accumulate(int tiles);
 
   std::vector<int> Cells;

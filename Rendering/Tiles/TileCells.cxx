@@ -6,6 +6,7 @@
 #include <hwy/highway.h>
 
 #include "TileCells.h"
+#include "TileClusters.h"
 #include "TileExactCell.h"
 #include "TileMesh.h"
 #include "TileRecords-inl.h"
@@ -146,27 +147,42 @@ HWY_EXPORT(ProjectRange);
 }
 
 //------------------------------------------------------------------------------
-void TileCells::Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices)
+void TileCells::Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
+  const TileClusters& clusters)
 {
   const int cells = mesh.GetNumberOfCells();
   this->Boxes.resize(static_cast<std::size_t>(cells));
   this->Faces.resize(static_cast<std::size_t>(cells));
-  constexpr int Share = 4096;
-  vtkSMPTools::For(0, (cells + Share - 1) / Share, 1,
+  constexpr int Size = TileClusters::Size;
+  vtkSMPTools::For(0, (cells + Size - 1) / Size, 32,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const int first = static_cast<int>(begin) * Share;
-      const int last = std::min(static_cast<int>(end) * Share, cells);
-      HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ProjectRange)
-      (mesh, view, vertices, first, last, *this);
-      for (int cell = first; cell < last; ++cell)
+      for (auto cluster = static_cast<int>(begin); cluster < end; ++cluster)
       {
-        if (this->Faces[cell] & Exact)
+        const int first = cluster * Size, last = std::min(first + Size, cells);
+        if (clusters.IsSeen(first))
         {
-          this->ProjectExactly(mesh, view, cell);
+          this->ProjectRange(mesh, view, vertices, first, last);
+          continue;
         }
+        std::fill(this->Boxes.begin() + first, this->Boxes.begin() + last, NoTile);
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void TileCells::ProjectRange(
+  const TileMesh& mesh, const TileView& view, const TileVertices& vertices, int first, int last)
+{
+  HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ProjectRange)
+  (mesh, view, vertices, first, last, *this);
+  for (int cell = first; cell < last; ++cell)
+  {
+    if (this->Faces[cell] & Exact)
+    {
+      this->ProjectExactly(mesh, view, cell);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <vector>
 
+class TileClusters;
 class TileMesh;
 class TileVertices;
 class TileView;
@@ -25,7 +26,9 @@ constexpr int LargestImage = 256 << Shift;
 class TileCells
 {
 public:
-  void Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices);
+  /** Cells of clusters that are not seen get no tile. */
+  void Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
+    const TileClusters& clusters);
 
   /** Of Boxes: first and last tile in x, first and last in y, a byte each from the lowest; first is
    *  greater than last where no pixel is covered. */
@@ -39,6 +42,8 @@ public:
   std::vector<std::uint8_t> Faces;
 
 private:
+  void ProjectRange(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
+    int first, int last);
   void ProjectExactly(const TileMesh& mesh, const TileView& view, int cell);
 };
 

@@ -1,5 +1,6 @@
 #include "TileLimits.h"
 
+#include "TileCells.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
 
@@ -11,6 +12,7 @@ bool TileLimits::Build(
   const TileView& view, const float* opaqueDepth, const std::vector<glm::vec4>& planes)
 {
   const auto size = static_cast<std::size_t>(view.Width) * view.Height;
+  this->TileFar.clear();
   const bool hidden = opaqueDepth && std::any_of(opaqueDepth, opaqueDepth + size,
                                        [](float depth) { return depth < 1.0f; });
   if (!hidden && planes.empty())
@@ -30,6 +32,10 @@ bool TileLimits::Build(
         this->SetRow(view, hidden ? opaqueDepth : nullptr, static_cast<int>(y));
       }
     });
+  if (hidden)
+  {
+    this->FindTileFar(view);
+  }
   return true;
 }
 
@@ -64,4 +70,44 @@ void TileLimits::SetRow(const TileView& view, const float* opaqueDepth, int y)
     this->Near[pixel] = static_cast<float>(std::max(nearest, -1e30));
     this->Far[pixel] = static_cast<float>(std::min(farthest, 1e30));
   }
+}
+
+//------------------------------------------------------------------------------
+void TileLimits::FindTileFar(const TileView& view)
+{
+  this->Tiles[0] = (view.Width + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->Tiles[1] = (view.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->TileFar.assign(static_cast<std::size_t>(this->Tiles[0]) * this->Tiles[1], 1e30f);
+  for (int y = 0; y < view.Height; ++y)
+  {
+    const float* row = &this->Far[static_cast<std::size_t>(y) * view.Width];
+    float* tiles = &this->TileFar[static_cast<std::size_t>(y >> TileSize::Shift) * this->Tiles[0]];
+    for (int x = 0; x < view.Width; ++x)
+    {
+      tiles[x >> TileSize::Shift] = std::min(tiles[x >> TileSize::Shift], row[x]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TileLimits::IsBeforeAny(
+  const double (&first)[2], const double (&last)[2], double nearest) const
+{
+  int begin[2], end[2];
+  for (int k = 0; k < 2; ++k)
+  {
+    const double tiles = this->Tiles[k];
+    begin[k] = static_cast<int>(std::min(std::max(first[k] / TileSize::Pixels, 0.0), tiles));
+    end[k] = static_cast<int>(std::min(std::max(last[k] / TileSize::Pixels + 1.0, 0.0), tiles));
+  }
+  for (int y = begin[1]; y < end[1]; ++y)
+  {
+    const float* row = &this->TileFar[static_cast<std::size_t>(y) * this->Tiles[0]];
+    if (std::any_of(
+          row + begin[0], row + std::max(begin[0], end[0]), [&](float far) { return far < nearest; }))
+    {
+      return true;
+    }
+  }
+  return false;
 }

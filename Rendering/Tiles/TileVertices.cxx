@@ -1,11 +1,14 @@
 #include "TileVertices.h"
 
+#include "TileClusters.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <cmath>
+#include <cstddef>
 
 namespace
 {
@@ -24,15 +27,25 @@ void TransformPoint(const TileView& view, const float* point, float* out)
 }
 
 //------------------------------------------------------------------------------
-void TileVertices::Transform(const std::vector<float>& points, const TileView& view)
+void TileVertices::Transform(
+  const std::vector<float>& points, const TileView& view, const TileClusters* clusters)
 {
   this->Values.resize(points.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(points.size() / 4),
+  const std::size_t count = points.size() / 4;
+  constexpr std::size_t Block = static_cast<std::size_t>(1) << TileClusters::PointShift;
+  vtkSMPTools::For(0, static_cast<vtkIdType>((count + Block - 1) / Block),
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (vtkIdType i = begin; i < end; ++i)
+      for (auto block = static_cast<std::size_t>(begin); block < static_cast<std::size_t>(end); ++block)
       {
-        TransformPoint(view, &points[4 * i], &this->Values[4 * i]);
+        if (clusters && !clusters->IsPointBlockSeen(block))
+        {
+          continue;
+        }
+        for (std::size_t i = block * Block; i < std::min((block + 1) * Block, count); ++i)
+        {
+          TransformPoint(view, &points[4 * i], &this->Values[4 * i]);
+        }
       }
     });
 }

@@ -15,6 +15,7 @@ list(APPEND sources
   Rendering/Tiles/TileBins.cxx
   Rendering/Tiles/TileCellFields.cxx
   Rendering/Tiles/TileCells.cxx
+  Rendering/Tiles/TileClusters.cxx
   Rendering/Tiles/TileExactCell.cxx
   Rendering/Tiles/TileLighting.cxx
   Rendering/Tiles/TileLimits.cxx
@@ -52,6 +53,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCellFields.h
   Rendering/Tiles/TileCells.h
   Rendering/Tiles/TileClipping-inl.h
+  Rendering/Tiles/TileClusters.h
   Rendering/Tiles/TileColors-inl.h
   Rendering/Tiles/TileCompositing-inl.h
   Rendering/Tiles/TileCoverage-inl.h

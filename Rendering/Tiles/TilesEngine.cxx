@@ -22,9 +22,17 @@ void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<in
   const TileMesh::Progress& report)
 {
   this->Mesh.Build(points, corners, report);
+  this->Clusters.Build(this->Mesh);
   this->Gradients.Clear();
   this->Colors.Clear();
-  this->IsTransformed = this->IsBinned = false;
+  this->IsTransformed = false;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetDrawn(const std::vector<unsigned char>& drawn)
+{
+  this->Mesh.SetDrawn(drawn);
+  this->Clusters.CountDrawn(this->Mesh);
 }
 
 //------------------------------------------------------------------------------
@@ -43,7 +51,7 @@ void TilesEngine::SetColors(const std::vector<float>& colors, bool onePerCell)
 std::size_t TilesEngine::GetMeshMemory() const
 {
   return this->Mesh.GetMemorySize() + this->Gradients.GetMemorySize() +
-         this->Colors.GetMemorySize();
+         this->Colors.GetMemorySize() + this->Clusters.GetMemorySize();
 }
 
 //------------------------------------------------------------------------------
@@ -59,35 +67,59 @@ void TilesEngine::SetScalars(const std::vector<float>& values, bool onePerCell)
 //------------------------------------------------------------------------------
 bool TilesEngine::Render(const Scene& scene)
 {
-  if (!this->Transform(scene))
+  if (!this->SetView(scene))
   {
     return false;
   }
+  this->Cull(scene);
+  this->Transform();
   this->Bin(scene);
   this->SetTask(scene);
   return this->Project(scene);
 }
 
 //------------------------------------------------------------------------------
-bool TilesEngine::Transform(const Scene& scene)
+bool TilesEngine::SetView(const Scene& scene)
 {
-  if (this->IsTransformed && scene.Camera == this->SeenCamera)
+  if (this->HasView && scene.Camera == this->SeenCamera)
   {
     return true;
   }
-  this->IsTransformed = this->IsBinned = false;
+  this->HasView = this->IsTransformed = false;
   const int largest = std::max(scene.Camera.Width, scene.Camera.Height);
   if (largest > TileSize::LargestImage || !this->View.Build(scene.Camera))
   {
     return false;
   }
-  this->Vertices.Transform(this->Mesh.Points, this->View);
-  this->Cells.Project(this->Mesh, this->View, this->Vertices);
   this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
   this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;
   this->SeenCamera = scene.Camera;
-  this->IsTransformed = true;
+  this->HasView = true;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::Cull(const Scene& scene)
+{
+  const bool isCut = this->Limits.Build(this->View, scene.OpaqueDepth, scene.ClippingPlanes);
+  this->Task.Limits = isCut ? &this->Limits : nullptr;
+  const TileLimits* opaque = isCut && this->Limits.HasOpaque() ? &this->Limits : nullptr;
+  if (this->Clusters.FindSeen(this->View, scene.ClippingPlanes, opaque))
+  {
+    this->IsTransformed = false;
+  }
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::Transform()
+{
+  if (!this->IsTransformed)
+  {
+    this->Vertices.Transform(this->Mesh.Points, this->View, &this->Clusters);
+    this->Cells.Project(this->Mesh, this->View, this->Vertices, this->Clusters);
+    this->IsTransformed = true;
+    this->IsBinned = false;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -113,8 +145,8 @@ void TilesEngine::Bin(const Scene& scene)
   }
   const std::vector<int> order =
     scene.BackToFront ? this->FrontToBack(*scene.BackToFront) : std::vector<int>();
-  this->Bins.Fill(
-    this->Cells.Boxes, scene.BackToFront ? &order : nullptr, this->TilesX, this->TilesY);
+  this->Bins.Fill(this->Cells.Boxes, scene.BackToFront ? &order : nullptr, &this->Clusters,
+    this->TilesX, this->TilesY);
   this->IsSorted = scene.BackToFront != nullptr;
   // The next frame's order may be another one, where it is not found here.
   this->IsBinned = !this->IsSorted;
@@ -132,9 +164,6 @@ void TilesEngine::SetTask(const Scene& scene)
   this->Task.Vertices = &this->Vertices;
   this->Task.Cells = &this->Cells;
   this->Task.Transfer = &this->Transfer;
-  this->Task.Limits = this->Limits.Build(this->View, scene.OpaqueDepth, scene.ClippingPlanes)
-                        ? &this->Limits
-                        : nullptr;
   this->Task.Tolerance =
     static_cast<float>(this->View.Extent * this->View.FarWeight * this->View.FarWeight *
                        std::max(std::min(OrderTolerance / depth, 1e-3), FloatResolution));

@@ -1,9 +1,9 @@
 /**
  * The Tiles engine: absorption and emission of tetrahedra, on the CPU.
  *
- * Stages of a frame: points to the screen, cells to tiles, then tile by tile: order, set-up,
- * coverage, shading, compositing, repair. No window, no GL; threads by vtkSMPTools, vectors by
- * Highway. Any mesh comes out right: every pixel keeps the exit of its last piece, and where a
+ * Stages of a frame: clusters that are not seen left out, points to the screen, cells to tiles, then
+ * tile by tile: order, set-up, coverage, shading, compositing, repair. No window, no GL; threads by
+ * vtkSMPTools, vectors by Highway. Any mesh comes out right: every pixel keeps the exit of its last piece, and where a
  * later one begins before that the pixel is done again with its pieces sorted. A frame without such
  * pixels is proven. The result does not depend on the number of threads.
  */
@@ -13,6 +13,7 @@
 #include "TileBins.h"
 #include "TileCellFields.h"
 #include "TileCells.h"
+#include "TileClusters.h"
 #include "TileLighting.h"
 #include "TileLimits.h"
 #include "TileLoop.h"
@@ -59,7 +60,7 @@ public:
   void SetGradients(const std::vector<float>& gradients);
   void SetColors(const std::vector<float>& colors, bool onePerCell);
   /** 0 for cells that are not to be seen. */
-  void SetDrawn(const std::vector<unsigned char>& drawn) { this->Mesh.SetDrawn(drawn); }
+  void SetDrawn(const std::vector<unsigned char>& drawn);
 
   /** False where the view has no inverse or is larger than LargestImage, and where the frame is given
    *  up: the next one is drawn as if that had not begun. */
@@ -69,11 +70,15 @@ public:
   const std::vector<float>& GetImage() const { return this->Image; }
   const TileCounts& GetCounts() const { return this->Counts; }
   const TileMesh& GetMesh() const { return this->Mesh; }
+  /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
+  long long CountCellsOutside() const { return this->Clusters.CountCellsOutside(); }
   /** Bytes that last from frame to frame, and what a frame needs beside them. */
   std::size_t GetMeshMemory() const;
 
 private:
-  bool Transform(const Scene& scene);
+  bool SetView(const Scene& scene);
+  void Cull(const Scene& scene);
+  void Transform();
   void Bin(const Scene& scene);
   void SetTask(const Scene& scene);
   void SetLighting(const Scene& scene);
@@ -85,6 +90,7 @@ private:
   TileView View;
   TileVertices Vertices;
   TileCells Cells;
+  TileClusters Clusters;
   TileBins Bins;
   TileTransfer Transfer;
   TileLimits Limits;
@@ -98,6 +104,7 @@ private:
 
   // What stands from the last frame on, for SeenCamera.
   TileView::Camera SeenCamera;
+  bool HasView = false;
   bool IsTransformed = false;
   bool IsBinned = false;
   bool IsSorted = false;
