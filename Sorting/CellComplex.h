@@ -2,7 +2,7 @@
  * Cells, the triangles through which they touch, and the boundary: what every sort works on.
  *
  * Plain arrays. Coincident points are one point. A face of more than three corners is its
- * triangles, a fan from the smallest point id: where such a face is planar, within 1e-12 of the
+ * triangles, FaceTriangles: where such a face is planar, within 1e-12 of the
  * mesh's diagonal, one of them speaks for all; where it is warped each speaks for itself.
  */
 #ifndef CellComplex_h

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numeric>
 #include <utility>
 
 namespace
@@ -56,13 +57,38 @@ void CellFaces::AddTetrahedron(int cell, const int corners[4])
 void CellFaces::AddFace(int cell, std::vector<int> face, const std::vector<int>& cellPoints)
 {
   Tidy(face);
-  for (size_t i = 2; i < face.size(); ++i)
+  for (const FaceTriangles::Triangle& t : this->CutFace(face))
   {
-    int corners[3] = { face[0], face[i - 1], face[i] };
+    int corners[3] = { face[t[0]], face[t[1]], face[t[2]] };
+    const int inversions =
+      (corners[0] > corners[1]) + (corners[0] > corners[2]) + (corners[1] > corners[2]);
     std::sort(corners, corners + 3);
     this->AddTriangle(cell, corners, this->FindSide(corners, face, cellPoints), face.size() > 3,
-      face[i - 1] < face[i] ? 1 : -1);
+      inversions % 2 == 0 ? 1 : -1);
   }
+}
+
+//------------------------------------------------------------------------------
+// By places in the face.
+std::vector<FaceTriangles::Triangle> CellFaces::CutFace(const std::vector<int>& face) const
+{
+  if (face.size() <= 3)
+  {
+    return face.size() < 3 ? std::vector<FaceTriangles::Triangle>{}
+                           : std::vector<FaceTriangles::Triangle>{ { 0, 1, 2 } };
+  }
+  const int offsets[2] = { 0, static_cast<int>(face.size()) };
+  std::vector<int> places(face.size());
+  std::iota(places.begin(), places.end(), 0);
+  const std::vector<vtkIdType> ids(face.begin(), face.end());
+  std::vector<std::array<double, 3>> points(face.size());
+  for (std::size_t i = 0; i < face.size(); ++i)
+  {
+    std::copy_n(this->At(face[i]), 3, points[i].data());
+  }
+  return FaceTriangles({ offsets[1], 1, offsets, places.data() }, ids.data(),
+    reinterpret_cast<const double(*)[3]>(points.data()))
+    .Get();
 }
 
 //------------------------------------------------------------------------------

@@ -4,6 +4,8 @@
 #ifndef CellFaces_h
 #define CellFaces_h
 
+#include "FaceTriangles.h"
+
 #include <cstddef>
 #include <vector>
 
@@ -33,8 +35,8 @@ public:
 
   /** Four corners in any order. */
   void AddTetrahedron(int cell, const int corners[4]);
-  /** A face of a convex cell whose corners are `cellPoints`: a fan from its smallest id. Ids that
-   *  repeat are taken once. */
+  /** A face of a convex cell whose corners are `cellPoints`, as FaceTriangles cuts it. Ids that repeat
+   *  are taken once. */
   void AddFace(int cell, std::vector<int> face, const std::vector<int>& cellPoints);
 
   /** To be called after the faces of a cell, with the number of triangles before it. Where faces
@@ -46,6 +48,7 @@ public:
 
 private:
   void AddTriangle(int cell, const int corners[3], int side, bool isPart, int turn);
+  std::vector<FaceTriangles::Triangle> CutFace(const std::vector<int>& face) const;
   bool IsWoundAlike(std::size_t first) const;
   int FindSide(
     const int corners[3], const std::vector<int>& face, const std::vector<int>& cellPoints) const;

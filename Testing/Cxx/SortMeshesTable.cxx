@@ -42,6 +42,13 @@ Grid TwoTetrahedra()
   return grid;
 }
 
+Grid SmallOctree()
+{
+  return HangingMeshes::MakeOctree(4,
+    [](const std::array<double, 3>& middle, int size)
+    { return middle[0] + middle[1] + middle[2] < 3.5 * size; });
+}
+
 std::vector<Entry> MakeGood()
 {
   return {
@@ -79,7 +86,8 @@ std::vector<Entry> MakeGood()
     { "springTetrahedra", [] { return Tetrahedra(Spring()); } },
     { "twoTetrahedra", TwoTetrahedra },
     { "prisms", [] { return Prisms(); } },
-    // Of polyhedra with nodes in a row on their edges.
+    // Polyhedra with nodes in a row on their edges, as they are and as tetrahedra.
+    { "hangingOctree", [] { return SmallOctree(); }, false, true },
     { "hangingNodes", [] { return Tetrahedra(HangingMeshes::MakeBoxes(2)); }, false, true },
     { "slivers", [] { return Scaled(Kuhn(JitteredLattice(4, 0.15)), 1.0, 1.0, 1e-6); }, true,
       true },
