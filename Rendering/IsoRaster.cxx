@@ -7,11 +7,13 @@
 #include "VTKVersions.h"
 #include "ViewRays.h"
 #include "cpElementGradient.h"
+#include "cpGradientOpacity.h"
 #include "cpIsoBlend.h"
 #include "cpIsoDepth.h"
 #include "cpIsoFragment.h"
 #include "cpIsoPoint.h"
 #include "cpLighting.h"
+#include "cpNoGradientOpacity.h"
 #include "cpNoLighting.h"
 #include "cpPointLight.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -29,12 +31,16 @@ namespace
 // Behind so many surfaces nothing is looked for.
 constexpr int MaximumLayers = 64;
 
-std::string SurfaceSource(bool isLit)
+std::string SurfaceSource(const ShadingBuffers& shading)
 {
+  const bool isLit = shading.IsLit();
+  const bool needsGradient = isLit || shading.HasGradientOpacity();
   std::string source = ElementShaders::WithElement(cpIsoFragment);
-  vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", isLit ? std::string(cpElementGradient) + cpIsoPoint : "");
+  vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", needsGradient ? std::string(cpElementGradient) + cpIsoPoint : "");
+  vtkShaderProgram::Substitute(source, "//VTK::GradientOpacity::Dec",
+    shading.HasGradientOpacity() ? cpGradientOpacity : cpNoGradientOpacity);
   vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Impl",
-    isLit ? "beginIsoPoint(gradientOfElement(at + found.x * slope), base + found.x);" : "");
+    needsGradient ? "beginIsoPoint(gradientOfElement(at + found.x * slope), base + found.x);" : "");
   vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec",
     isLit ? std::string(cpLighting) + cpPointLight : cpNoLighting);
   return source;
@@ -58,7 +64,7 @@ bool IsoRaster::Prepare(
   this->Surfaces = view.Triangles
                      ? nullptr
                      : ElementShaders::ReadyProgram(
-                         window, view, SurfaceSource(shading.IsLit()), true);
+                         window, view, SurfaceSource(shading), true);
   const bool isReady =
     this->Blend.Ready(window, cpIsoBlend) && (view.Triangles || this->Surfaces);
   this->Failure = isReady ? "" : "the iso-surfaces' shaders did not compile";
@@ -139,7 +145,8 @@ void IsoRaster::DrawElements(vtkOpenGLRenderWindow* window, const View& view,
   window->GetShaderCache()->ReadyShaderProgram(this->Surfaces);
   RayUniforms::Set(this->Surfaces, view);
   buffers.Activate(this->Surfaces);
-  if (shading.IsLit())
+  const bool needsGradient = shading.IsLit() || shading.HasGradientOpacity();
+  if (needsGradient)
   {
     shading.Activate(this->Surfaces);
   }
@@ -153,7 +160,7 @@ void IsoRaster::DrawElements(vtkOpenGLRenderWindow* window, const View& view,
     found = this->DrawLayer(window, view, layer);
     this->BlendLayer(window);
   }
-  if (shading.IsLit())
+  if (needsGradient)
   {
     shading.Deactivate();
   }

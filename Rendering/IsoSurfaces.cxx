@@ -22,7 +22,8 @@ void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVol
   const double low = prepared.Scalars.Normal[0];
   const double width = prepared.Scalars.Normal[1] - low;
   this->Values.clear();
-  this->IsOpaque = true;
+  // What a gradient opacity leaves of each point is found where it is drawn.
+  this->IsOpaque = !VolumePropertyReader(property).HasGradientOpacity();
   for (int i = 0; i < contours->GetNumberOfContours(); ++i)
   {
     const double value = contours->GetValue(i);
@@ -43,11 +44,6 @@ void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVol
   {
     problems.emplace_back("Scalars that are constant in their cells have no iso-surface: nothing "
                           "is drawn; take point scalars.");
-  }
-  if (VolumePropertyReader(property).HasGradientOpacity())
-  {
-    problems.emplace_back("A gradient opacity function is set: it is not applied to iso-surfaces; "
-                          "call DisableGradientOpacityOn().");
   }
   if (this->Values.size() > IsoRaster::MaximumValues)
   {

@@ -32,7 +32,7 @@ class vtkVisibilitySort;
  * IsoSurfaceValues, found exactly in every cell, with the colour and the ScalarOpacity of their
  * value (no unit distance), in any number and order. With Shade on they are lit by all lights, with
  * normals from gradients at the points. The nearest surface writes its depth to the window where
- * its opacity is 1. A gradient opacity is not applied to them. Where all of them are opaque, they
+ * its opacity is 1. A gradient opacity takes its part of each point's. Where all of them are opaque, they
  * are drawn as triangles, made on all threads where scalars change; where points move, only the
  * triangles' vertices move. Unless an image is captured, they go straight into the window.
  *

@@ -16,6 +16,7 @@ uniform int isFirstLayer;
 //VTK::Element::Dec
 //VTK::TransferFunction::Dec
 //VTK::IsoPoint::Dec
+//VTK::GradientOpacity::Dec
 //VTK::Lighting::Dec
 
 void main()
@@ -46,7 +47,7 @@ void main()
   float value = isoValues[int(found.y) - 3];
   vec4 colour = valueInInterval(firstInterval(value, false), value);
   //VTK::IsoPoint::Impl
-  float alpha = min(colour.a, 1.0);
+  float alpha = min(colour.a, 1.0) * gradientOpacity(0.0);
   gl_FragData[0] = vec4(shade(colour.rgb, 0.0) * alpha, alpha);
   gl_FragDepth = (base + found.x - isoDepths.x) / isoDepths.y;
 }

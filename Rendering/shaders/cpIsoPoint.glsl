@@ -3,6 +3,7 @@
 uniform mat3 gradientToView;
 
 vec3 gradientEntry;
+const vec3 gradientRise = vec3(0.0);
 vec3 wayEntry;
 const vec3 wayRise = vec3(0.0);
 vec3 toEye; // of unit length

@@ -1,6 +1,7 @@
 // Iso-surfaces of the squared radius over a lattice: depth in the window is that of the contour of
 // the same tetrahedra within 1e-5 of the mesh's size, silhouettes within a 64th of a pixel; normals
-// within 2 degrees of the sphere's; several translucent ones add up in their order.
+// within 2 degrees of the sphere's; several translucent ones add up in their order; a gradient
+// opacity takes its part.
 
 #include "TestMeshes.h"
 #include "TestScene.h"
@@ -219,6 +220,30 @@ void CheckTranslucent(TestChecks& checks, IsoScene& scene)
   CHECK(twice == 0);
 }
 
+// A gradient of length 0.8 all over the sphere: half of what a function up to 1.6 gives.
+void CheckGradientOpacity(TestChecks& checks, IsoScene& scene)
+{
+  vtkNew<MessageObserver> messages;
+  messages->Watch(scene.Mapper);
+  scene.SetValues({ 0.16 });
+  scene.SetConstant(1.0);
+  vtkNew<vtkPiecewiseFunction> function;
+  function->AddPoint(0.0, 0.0);
+  function->AddPoint(1.6, 1.0);
+  scene.Property->SetGradientOpacity(function);
+  for (const bool shaded : { false, true })
+  {
+    scene.Property->SetShade(shaded ? 1 : 0);
+    scene.Render();
+    CHECK_NEAR(scene.CenterPixel()[3], 0.75, 2e-2);
+  }
+  scene.Property->ShadeOff();
+  scene.Property->DisableGradientOpacityOn();
+  scene.Render();
+  CHECK(scene.CenterPixel()[3] == 1.0);
+  CHECK(messages->Count() == 0);
+}
+
 void CheckMessages(TestChecks& checks, IsoScene& scene)
 {
   vtkNew<MessageObserver> messages;
@@ -244,6 +269,7 @@ int TestIsoSurfaces(int, char*[])
   CheckDepth(checks, scene);
   CheckNormals(checks, scene);
   CheckTranslucent(checks, scene);
+  CheckGradientOpacity(checks, scene);
   CheckMessages(checks, scene);
   return checks.Result();
 }
