@@ -116,7 +116,7 @@ bool ConvexCellReader::HasSameTypes(vtkUnstructuredGridBase* input) const
   const auto count = static_cast<vtkIdType>(this->Types.size());
   bool same = input->GetNumberOfCells() == count;
   auto* grid = vtkUnstructuredGrid::SafeDownCast(input);
-  auto* types = grid ? vtkUnsignedCharArray::SafeDownCast(grid->GetCellTypesArray()) : nullptr;
+  vtkUnsignedCharArray* types = grid ? GetTypesOfCells(grid) : nullptr;
   if (same && types && types->GetNumberOfValues() == count)
   {
     return std::equal(this->Types.begin(), this->Types.end(), types->GetPointer(0));

@@ -7,6 +7,7 @@
 #include "vtkCellArray.h"
 #include "vtkIdList.h"
 #include "vtkIdTypeArray.h"
+#include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVersionMacros.h"
 
@@ -28,6 +29,16 @@ inline bool IsAborted(vtkAlgorithm* filter)
   return filter->CheckAbort();
 #else
   return filter->GetAbortExecute() != 0;
+#endif
+}
+
+/// The type of each cell; null where the grid holds them otherwise, as it may from VTK 9.6 on.
+inline vtkUnsignedCharArray* GetTypesOfCells(vtkUnstructuredGrid* grid)
+{
+#if VTK_VERSION_NUMBER >= VTK_VERSION_CHECK(9, 6, 0)
+  return vtkUnsignedCharArray::SafeDownCast(grid->GetCellTypes());
+#else
+  return grid->GetCellTypesArray();
 #endif
 }
 
