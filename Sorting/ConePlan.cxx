@@ -11,9 +11,9 @@ bool HasVolume(const double (*points)[3], double sign, int apex, int a, int b, i
 }
 
 bool ConePlan::Make(const FaceTriangles& triangles, const double (*points)[3], double sign,
-  ConvexCellPlan& plan, ConvexCellCursor& cursor)
+  ConvexCellPlan& plan, ConvexCellCursor& cursor, double flatness)
 {
-  const int apex = triangles.FindApex(sign);
+  const int apex = triangles.FindApex(sign, flatness);
   if (apex < 0)
   {
     return false;

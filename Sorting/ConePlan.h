@@ -11,9 +11,10 @@
 namespace ConePlan
 {
 /** False where no vertex sees all; then `plan` stays. `points`: as `triangles` has them; `sign`: -1
- *  where the cell is inside out. Moves the cursor past what Write will write. */
+ *  where the cell is inside out; `flatness`: as FaceTriangles has it, what is so flat is dropped. Moves
+ *  the cursor past what Write will write. */
 bool Make(const FaceTriangles& triangles, const double (*points)[3], double sign,
-  ConvexCellPlan& plan, ConvexCellCursor& cursor);
+  ConvexCellPlan& plan, ConvexCellCursor& cursor, double flatness = 0.0);
 
 /** `named`: ids in the output by vertex. */
 void Write(const ConvexCellPlan& plan, const FaceTriangles& triangles, const double (*points)[3],

@@ -193,6 +193,12 @@ void ConvexCellConversion::PlanByFaces(vtkIdType cell, Shape shape, Scratch& scr
   {
     this->Stars.Try(cell, solid, ids, this->FetchPoints(ids, solid.NumberOfVertices, scratch), sign,
       this->Points, plan, cursor);
+    TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
+    if (!plan.Star && !triangles.AreFans())
+    {
+      ConePlan::Make(
+        triangles, points, sign, plan, cursor, TetrahedralSplit::FlatnessTolerance);
+    }
   }
 }
 

@@ -143,7 +143,17 @@ std::size_t FaceTriangles::FindHalf(const Loop& loop) const
   return best;
 }
 
-bool FaceTriangles::SeesAll(int apex, double sign) const
+// Twice.
+double FaceTriangles::AreaOf(const Triangle& t) const
+{
+  double u[3], v[3], cross[3];
+  vtkMath::Subtract(this->Points[t[1]], this->Points[t[0]], u);
+  vtkMath::Subtract(this->Points[t[2]], this->Points[t[0]], v);
+  vtkMath::Cross(u, v, cross);
+  return vtkMath::Norm(cross);
+}
+
+bool FaceTriangles::SeesAll(int apex, double sign, double flat) const
 {
   bool any = false;
   for (const Triangle& t : this->Triangles)
@@ -154,7 +164,8 @@ bool FaceTriangles::SeesAll(int apex, double sign) const
     }
     const double volume = sign * TetrahedralSplit::SixVolumes(this->Points[apex],
                                    this->Points[t[0]], this->Points[t[1]], this->Points[t[2]]);
-    if (!(volume > 0.0 || (volume == 0.0 && this->IsFlat(t[0], t[1], t[2]))))
+    const bool isFlat = volume == 0.0 && this->IsFlat(t[0], t[1], t[2]);
+    if (!(volume > 0.0 || isFlat || (flat > 0.0 && -volume <= flat * this->AreaOf(t))))
     {
       return false;
     }
@@ -163,17 +174,19 @@ bool FaceTriangles::SeesAll(int apex, double sign) const
   return any;
 }
 
-int FaceTriangles::FindApex(double sign) const
+int FaceTriangles::FindApex(double sign, double flatness) const
 {
+  const double flat =
+    flatness > 0.0 ? flatness * TetrahedralSplit::SizeOf(this->Points, this->NumberOfVertices) : 0.0;
   const auto smallest =
     static_cast<int>(std::min_element(this->Ids, this->Ids + this->NumberOfVertices) - this->Ids);
-  if (this->SeesAll(smallest, sign))
+  if (this->SeesAll(smallest, sign, flat))
   {
     return smallest;
   }
   for (int apex = 0; apex < this->NumberOfVertices; ++apex)
   {
-    if (this->SeesAll(apex, sign))
+    if (this->SeesAll(apex, sign, flat))
     {
       return apex;
     }

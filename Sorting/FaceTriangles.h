@@ -40,9 +40,10 @@ public:
   /**
    * A vertex such that each triangle that does not touch it makes a tetrahedron of positive volume
    * with it, but for faces without an area: that of smallest id where it does, else the first; -1
-   * where there is none. `sign`: -1 where the cell is inside out.
+   * where there is none. `sign`: -1 where the cell is inside out. `flatness`: how far behind a
+   * triangle's plane the vertex may lie, by the size of the cell.
    */
-  int FindApex(double sign) const;
+  int FindApex(double sign, double flatness = 0.0) const;
 
   /** visit(a, b, c) for each triangle that does not touch the apex. */
   template <typename Visit>
@@ -66,7 +67,8 @@ private:
   bool IsStart(const Loop& loop, std::size_t start) const;
   std::size_t FindHalf(const Loop& loop) const;
   bool IsFlat(int a, int b, int c) const;
-  bool SeesAll(int apex, double sign) const;
+  bool SeesAll(int apex, double sign, double flat) const;
+  double AreaOf(const Triangle& t) const;
   bool Touches(const Triangle& t, int vertex) const
   {
     const vtkIdType id = this->Ids[vertex];

@@ -34,18 +34,6 @@ double SumVolumes(const PolyhedronSurface& surface, const double (*points)[3])
   return sum;
 }
 
-// visit(a, b, c, hasVolume)
-template <typename Visit>
-void VisitPieces(const PolyhedronSurface& surface, const double (*points)[3], int apex, Visit visit)
-{
-  TetrahedralSplit::VisitCone(surface.GetSolid(), surface.GetIds().data(), apex,
-    [&](int, int a, int b, int c)
-    {
-      visit(
-        a, b, c, TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]) > 0.0);
-    });
-}
-
 void WriteWhole(const Solid& solid, const vtkIdType* named, const ConvexCellArrays& arrays,
   ConvexCellCursor& cursor)
 {
@@ -107,19 +95,8 @@ ConvexCellPlan PlanPolyhedron(
 void PlanButForFlat(const PolyhedronSurface& surface, const double (*points)[3],
   ConvexCellPlan& plan, ConvexCellCursor& cursor)
 {
-  plan.Apex = TetrahedralSplit::FindApex(surface.GetSolid(), surface.GetIds().data(), points);
-  if (plan.Apex < 0)
-  {
-    return;
-  }
-  plan.Fate = ConvexCellPlan::Tetrahedra;
-  VisitPieces(surface, points, plan.Apex,
-    [&](int, int, int, bool hasVolume)
-    {
-      plan.Dropped += !hasVolume;
-      cursor.Cell += hasVolume;
-      cursor.Id += hasVolume ? 4 : 0;
-    });
+  const FaceTriangles triangles(surface.GetSolid(), surface.GetIds().data(), points);
+  ConePlan::Make(triangles, points, 1.0, plan, cursor, TetrahedralSplit::FlatnessTolerance);
 }
 
 void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, double (*points)[3],
@@ -138,22 +115,6 @@ void WritePolyhedron(const ConvexCellPlan& plan, PolyhedronSurface& surface, dou
     WriteWhole(surface.GetSolid(), named.data(), arrays, cursor);
     return;
   }
-  if (plan.ByFaces)
-  {
-    const FaceTriangles triangles(surface.GetSolid(), surface.GetIds().data(), points);
-    ConePlan::Write(plan, triangles, points, 1.0, named.data(), sourceCell, arrays, cursor);
-    return;
-  }
-  VisitPieces(surface, points, plan.Apex,
-    [&](int a, int b, int c, bool hasVolume)
-    {
-      if (hasVolume)
-      {
-        BeginConvexCell(VTK_TETRA, sourceCell, arrays, cursor);
-        for (const int vertex : { plan.Apex, a, b, c })
-        {
-          arrays.Ids[cursor.Id++] = named[vertex];
-        }
-      }
-    });
+  const FaceTriangles triangles(surface.GetSolid(), surface.GetIds().data(), points);
+  ConePlan::Write(plan, triangles, points, 1.0, named.data(), sourceCell, arrays, cursor);
 }

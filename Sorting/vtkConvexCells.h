@@ -76,7 +76,7 @@
  *
  * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
  * different data are not told apart: the smallest id wins. Faces match where nothing was dropped
- * but what repeats a point. In the default mode a cell of the output may meet tetrahedra across a
+ * but what repeats a point, and no face runs back on itself. In the default mode a cell of the output may meet tetrahedra across a
  * face: they are its face's triangles, but where nodes hang on the face's edges.
  */
 

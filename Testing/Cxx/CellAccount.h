@@ -32,6 +32,7 @@ private:
     bool HasSides = false; // Volume is known
     double Size = 0.0;     // largest coordinate less the smallest
     double Volume = 0.0;   // within its faces, of Size 1; negative where they are wound inward
+    double FanVolume = 0.0; // the same by fans from the smallest ids
     double Made[2] = { -1.0, -1.0 }; // by mode; below zero where it is not to be compared
   };
 
