@@ -36,7 +36,7 @@ bool ConvexTilesFrame::SetView(const TileView::Camera& camera)
     return true;
   }
   this->HasView = this->HasCells = false;
-  if (std::max(camera.Width, camera.Height) > TileSize::LargestImage || !this->View.Build(camera))
+  if (!TileSize::IsImage(camera.Width, camera.Height) || !this->View.Build(camera))
   {
     return false;
   }

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace
 {
@@ -88,6 +89,8 @@ void TileBins::Accumulate(int tiles)
   this->Cells.resize(sum);
   this->HeaviestFirst.resize(tiles);
   std::iota(this->HeaviestFirst.begin(), this->HeaviestFirst.end(), 0);
-  std::stable_sort(this->HeaviestFirst.begin(), this->HeaviestFirst.end(),
-    [this](int a, int b) { return this->GetSize(a) > this->GetSize(b); });
+  // A stable sort would take memory in every frame.
+  std::sort(this->HeaviestFirst.begin(), this->HeaviestFirst.end(),
+    [this](int a, int b)
+    { return std::make_pair(-this->GetSize(a), a) < std::make_pair(-this->GetSize(b), b); });
 }

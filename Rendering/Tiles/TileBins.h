@@ -20,6 +20,11 @@ public:
     const TileClusters* clusters, int tilesX, int tilesY);
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Begin.size()) - 1; }
+  std::size_t GetMemorySize() const
+  {
+    return this->Cells.capacity() * sizeof(int) +
+           (this->Begin.capacity() + this->Places.capacity()) * sizeof(std::size_t);
+  }
   int* GetTile(int tile) { return this->Cells.data() + this->Begin[tile]; }
   int GetSize(int tile) const
   {

@@ -21,6 +21,11 @@ constexpr int Shift = 6;
 constexpr int Pixels = 1 << Shift;
 /** Their numbers must fit a byte. */
 constexpr int LargestImage = 256 << Shift;
+
+constexpr bool IsImage(int width, int height)
+{
+  return width > 0 && height > 0 && width <= LargestImage && height <= LargestImage;
+}
 }
 
 class TileCells

@@ -21,18 +21,18 @@ constexpr double Rounding = 1e-6;
 constexpr double Margin = 1.0;
 
 // What is seen lies on the positive side of all of them; mesh coordinates.
-std::vector<glm::dvec4> FindPlanes(const TileView& view, const std::vector<glm::vec4>& clipping)
+void FindPlanes(const TileView& view, const std::vector<glm::vec4>& clipping,
+  std::vector<glm::dvec4>& planes)
 {
   const glm::dvec4 x = glm::row(view.MeshToScreen, 0), y = glm::row(view.MeshToScreen, 1);
   const glm::dvec4 u = glm::row(view.MeshToScreen, 2), h = glm::row(view.MeshToScreen, 3);
-  std::vector<glm::dvec4> planes = { x + Margin * h, (view.Width - 1 + Margin) * h - x,
+  planes = { x + Margin * h, (view.Width - 1 + Margin) * h - x,
     y + Margin * h, (view.Height - 1 + Margin) * h - y, view.NearU * h - u, u - view.FarU * h };
   const glm::dmat4 screenToMesh = glm::transpose(view.MeshToScreen);
   for (const glm::vec4& plane : clipping)
   {
     planes.push_back(screenToMesh * (view.ViewPlaneToScreen * glm::dvec4(plane)));
   }
-  return planes;
 }
 
 int NumberOfClusters(const TileMesh& mesh)
@@ -125,14 +125,14 @@ void TileClusters::CountDrawn(const TileMesh& mesh)
 bool TileClusters::FindSeen(
   const TileView& view, const std::vector<glm::vec4>& planes, const TileLimits* limits)
 {
-  const std::vector<glm::dvec4> all = FindPlanes(view, planes);
+  FindPlanes(view, planes, this->Planes);
   this->SeenBefore.swap(this->Seen);
   this->Seen.resize(this->Boxes.size());
   ForClusters(static_cast<int>(this->Boxes.size()),
     [&](int cluster)
     {
       const Box& box = this->Boxes[cluster];
-      const bool isSeen = IsWithin(box, all) && (!limits || IsBefore(box, view, *limits));
+      const bool isSeen = IsWithin(box, this->Planes) && (!limits || IsBefore(box, view, *limits));
       this->Seen[cluster] = isSeen ? 1 : 0;
     });
   const bool isNew = this->Seen != this->SeenBefore;

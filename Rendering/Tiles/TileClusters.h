@@ -57,6 +57,7 @@ private:
   std::vector<Box> Boxes;
   /** Blocks of points that a cluster's cells have: Blocks[BlocksBegin[i]] and on. */
   std::vector<int> BlocksBegin, Blocks;
+  std::vector<glm::dvec4> Planes;
   std::vector<unsigned char> NumbersDrawn;
   std::vector<unsigned char> Seen, SeenBefore, SeenPoints;
 };

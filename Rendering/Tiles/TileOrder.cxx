@@ -7,87 +7,94 @@
 
 namespace
 {
-constexpr int Done = -1;
+constexpr signed char Done = -1;
 // The lowest bit of a set of faces.
 constexpr int FirstFace[16] = { 0, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0 };
 }
 
 //------------------------------------------------------------------------------
-void TileOrder::Sort(const TileMesh& mesh, const TileCells& cells, int* ids, int count)
+void TileOrder::Sort(
+  const TileMesh& mesh, const TileCells& cells, int* ids, int count, std::vector<int>& work)
 {
   this->FindWaiters(mesh, cells, ids, count);
-  this->Sorted.clear();
+  work.resize(static_cast<std::size_t>(count));
+  this->Sorted = work.data();
+  this->NumberOfSorted = 0;
   for (int seed = 0; seed < count; ++seed)
   {
     if (this->Blockers[seed] == 0)
     {
-      this->Release(seed, ids);
+      this->Release(seed, ids, count);
     }
   }
   // What is left hides each other in circles.
-  for (int i = 0; i < count && this->Sorted.size() < static_cast<std::size_t>(count); ++i)
+  for (int i = 0; i < count && this->NumberOfSorted < count; ++i)
   {
     if (this->Blockers[i] != Done)
     {
-      this->Sorted.push_back(ids[i]);
+      this->Sorted[this->NumberOfSorted++] = ids[i];
     }
   }
-  std::copy(this->Sorted.begin(), this->Sorted.end(), ids);
+  std::copy_n(this->Sorted, count, ids);
 }
 
 //------------------------------------------------------------------------------
 void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count)
 {
   const auto size = static_cast<std::size_t>(count);
-  this->Place.resize(mesh.Source.size());
-  this->Waiters.resize(4 * size);
-  this->NumberOfWaiters.resize(size);
+  this->Places.Clear(mesh.Source.size());
+  this->Waiters.clear();
+  this->WaitersBegin.resize(size + 1);
   this->Blockers.assign(size, 0);
-  this->Stack.resize(size);
-  this->Sorted.reserve(size);
   for (int i = 0; i < count; ++i)
   {
-    this->Place[ids[i]] = i;
+    this->Places.Set(ids[i], i);
   }
   for (int i = 0; i < count; ++i)
   {
+    this->WaitersBegin[i] = static_cast<int>(this->Waiters.size());
     const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(ids[i])];
     const unsigned int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
-    int* waiters = &this->Waiters[4 * static_cast<std::size_t>(i)];
-    std::uint8_t found = 0;
     for (unsigned int left = exits; left != 0; left &= left - 1)
     {
-      const int behind = neighbours[FirstFace[left]];
-      const int place = this->Place[behind];
-      if (place >= 0 && place < count && ids[place] == behind)
+      const int place = this->Places.Find(neighbours[FirstFace[left]]);
+      if (place != TilePlaces::None)
       {
-        waiters[found++] = place;
+        this->Waiters.push_back(place);
         ++this->Blockers[place];
       }
     }
-    this->NumberOfWaiters[i] = found;
+  }
+  this->WaitersBegin[size] = static_cast<int>(this->Waiters.size());
+}
+
+//------------------------------------------------------------------------------
+void TileOrder::Release(int seed, const int* ids, int count)
+{
+  // Last in, first out: the cells that came free last are still in cache. The stack grows down from the
+  // end of the list: what is on it is not sorted yet.
+  int top = count;
+  this->Sorted[--top] = seed;
+  this->Blockers[seed] = Done;
+  while (top < count)
+  {
+    const int cell = this->Sorted[top++];
+    this->Sorted[this->NumberOfSorted++] = ids[cell];
+    for (int k = this->WaitersBegin[cell]; k < this->WaitersBegin[cell + 1]; ++k)
+    {
+      const int waiter = this->Waiters[k];
+      if (--this->Blockers[waiter] == 0)
+      {
+        this->Blockers[waiter] = Done;
+        this->Sorted[--top] = waiter;
+      }
+    }
   }
 }
 
 //------------------------------------------------------------------------------
-void TileOrder::Release(int seed, const int* ids)
+std::size_t TileOrder::GetMemorySize() const
 {
-  // Last in, first out: the cells that came free last are still in cache.
-  int top = 0;
-  this->Stack[top++] = seed;
-  this->Blockers[seed] = Done;
-  while (top > 0)
-  {
-    const int cell = this->Stack[--top];
-    this->Sorted.push_back(ids[cell]);
-    const int* waiters = &this->Waiters[4 * static_cast<std::size_t>(cell)];
-    for (int k = 0; k < this->NumberOfWaiters[cell]; ++k)
-    {
-      if (--this->Blockers[waiters[k]] == 0)
-      {
-        this->Blockers[waiters[k]] = Done;
-        this->Stack[top++] = waiters[k];
-      }
-    }
-  }
+  return this->Places.GetMemorySize() + this->Blockers.capacity() +
+    sizeof(int) * (this->Waiters.capacity() + this->WaitersBegin.capacity());
 }

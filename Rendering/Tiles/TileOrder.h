@@ -9,7 +9,9 @@
 #ifndef TileOrder_h
 #define TileOrder_h
 
-#include <cstdint>
+#include "TilePlaces.h"
+
+#include <cstddef>
 #include <vector>
 
 class TileCells;
@@ -18,19 +20,23 @@ class TileMesh;
 class TileOrder
 {
 public:
-  /** Reorders `count` ids. */
-  void Sort(const TileMesh& mesh, const TileCells& cells, int* ids, int count);
+  /** Reorders `count` ids. `work` is left as it comes. */
+  void Sort(const TileMesh& mesh, const TileCells& cells, int* ids, int count,
+    std::vector<int>& work);
+
+  std::size_t GetMemorySize() const;
 
 private:
   void FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count);
-  void Release(int seed, const int* ids);
+  void Release(int seed, const int* ids, int count);
 
-  // Of a cell of the mesh: where it is in the tile; true only where the tile's list says so too.
-  std::vector<int> Place;
-  std::vector<int> Waiters;  // up to 4 places of the cells behind each one
-  std::vector<int> Blockers; // how many cells before each one are still to come, or Done
-  std::vector<std::uint8_t> NumberOfWaiters;
-  std::vector<int> Stack, Sorted;
+  TilePlaces Places;
+  // Places of the cells behind each one, from WaitersBegin[i] on.
+  std::vector<int> Waiters, WaitersBegin;
+  // How many cells before each one are still to come, or Done: 4 at most.
+  std::vector<signed char> Blockers;
+  int* Sorted = nullptr;
+  int NumberOfSorted = 0;
 };
 
 #endif

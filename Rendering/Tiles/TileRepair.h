@@ -34,6 +34,8 @@ public:
   /** Moves the next ones into the queue; false where none are left. */
   bool Take(TileFragments& out);
 
+  std::size_t GetMemorySize() const { return this->Fragments.capacity() * sizeof(Fragment); }
+
 private:
   struct Fragment
   {

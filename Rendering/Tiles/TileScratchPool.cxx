@@ -36,3 +36,15 @@ TileCounts TileScratchPool::CollectCounts()
   }
   return sum;
 }
+
+//------------------------------------------------------------------------------
+std::size_t TileScratchPool::GetMemorySize() const
+{
+  std::size_t sum = 0;
+  for (const std::unique_ptr<TileScratch>& scratch : this->Free)
+  {
+    sum += scratch->Order.GetMemorySize() + scratch->Repair.GetMemorySize() +
+           scratch->Drawn.capacity() * sizeof(int);
+  }
+  return sum;
+}

@@ -6,6 +6,7 @@
 
 #include "TileScratch.h"
 
+#include <cstddef>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -18,6 +19,9 @@ public:
 
   /** Sums up what was counted, and counts anew. */
   TileCounts CollectCounts();
+
+  /** Bytes of what goes with the cells of a tile. */
+  std::size_t GetMemorySize() const;
 
 private:
   std::mutex Mutex;

@@ -74,6 +74,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileNeighbours.h
   Rendering/Tiles/TileOrder.h
   Rendering/Tiles/TilePieces-inl.h
+  Rendering/Tiles/TilePlaces.h
   Rendering/Tiles/TileProjection.h
   Rendering/Tiles/TileRecords-inl.h
   Rendering/Tiles/TileRepair.h

@@ -5,6 +5,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <iterator>
 
 namespace
@@ -55,6 +56,14 @@ std::size_t TilesEngine::GetMeshMemory() const
 }
 
 //------------------------------------------------------------------------------
+std::size_t TilesEngine::GetFrameMemory() const
+{
+  return this->Vertices.Values.capacity() * sizeof(float) +
+         this->Cells.Boxes.capacity() * sizeof(std::uint32_t) + this->Cells.Faces.capacity() +
+         this->Bins.GetMemorySize() + this->Scratch.GetMemorySize();
+}
+
+//------------------------------------------------------------------------------
 void TilesEngine::SetScalars(const std::vector<float>& values, bool onePerCell)
 {
   this->Mesh.SetScalars(values, onePerCell);
@@ -86,8 +95,8 @@ bool TilesEngine::SetView(const Scene& scene)
     return true;
   }
   this->HasView = this->IsTransformed = false;
-  const int largest = std::max(scene.Camera.Width, scene.Camera.Height);
-  if (largest > TileSize::LargestImage || !this->View.Build(scene.Camera))
+  if (!TileSize::IsImage(scene.Camera.Width, scene.Camera.Height) ||
+    !this->View.Build(scene.Camera))
   {
     return false;
   }
@@ -206,7 +215,7 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
   if (!this->IsSorted)
   {
-    scratch.Order.Sort(this->Mesh, this->Cells, cells, count);
+    scratch.Order.Sort(this->Mesh, this->Cells, cells, count, scratch.Drawn);
   }
   scratch.Drawn.clear();
   std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);

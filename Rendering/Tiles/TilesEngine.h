@@ -62,8 +62,8 @@ public:
   /** 0 for cells that are not to be seen. */
   void SetDrawn(const std::vector<unsigned char>& drawn);
 
-  /** False where the view has no inverse or is larger than LargestImage, and where the frame is given
-   *  up: the next one is drawn as if that had not begun. */
+  /** False where the view has no inverse, no pixel or more than LargestImage, and where the frame is
+   *  given up: the next one is drawn as if that had not begun. */
   bool Render(const Scene& scene);
 
   /** Premultiplied RGBA, first row at the bottom. */
@@ -72,8 +72,10 @@ public:
   const TileMesh& GetMesh() const { return this->Mesh; }
   /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
   long long CountCellsOutside() const { return this->Clusters.CountCellsOutside(); }
-  /** Bytes that last from frame to frame, and what a frame needs beside them. */
+  /** Bytes that last from frame to frame, and what a frame of this mesh needs beside them; what goes
+   *  with pixels and threads alone is not counted. */
   std::size_t GetMeshMemory() const;
+  std::size_t GetFrameMemory() const;
 
 private:
   bool SetView(const Scene& scene);

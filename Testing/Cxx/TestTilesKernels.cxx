@@ -1,0 +1,176 @@
+// The Tiles engines on plain arrays, every stage of them: images of numbers between 0 and 1, the same
+// bytes for every backend and number of threads, after other views, cuts and frames that were given up.
+// It needs no window: the sanitizers run it.
+
+#include "EmissionTilesEngine.h"
+#include "ExtremumTilesEngine.h"
+#include "MeshLattice.h"
+#include "TestScene.h"
+#include "TileArrays.h"
+
+#include "vtkIdList.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <functional>
+#include <numeric>
+
+namespace
+{
+using Image = std::vector<float>;
+using Draw = std::function<Image(int view)>;
+constexpr int Views = 3;
+
+bool IsImage(const Image& image)
+{
+  return !image.empty() &&
+    std::all_of(image.begin(), image.end(), [](float x) { return x >= 0.0f && x <= 1.001f; }) &&
+    std::any_of(image.begin(), image.end(), [](float x) { return x > 0.01f; });
+}
+
+void CheckThreads(TestChecks& checks, const Draw& draw)
+{
+  std::vector<Image> images;
+  vtkSMPTools::SetBackend("Sequential");
+  for (int view = 0; view < Views; ++view)
+  {
+    images.push_back(draw(view));
+    CHECK(IsImage(images.back()));
+  }
+  vtkSMPTools::SetBackend("STDThread");
+  for (const int threads : { 2, 5 })
+  {
+    vtkSMPTools::Initialize(threads);
+    for (int view = Views - 1; view >= 0; --view)
+    {
+      CHECK(draw(view) == images[view]);
+    }
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+void LookAt(TileArrays& arrays, int view)
+{
+  const glm::dvec3 eyes[Views] = { { 0.9, 1.5, 3.5 }, { 0.1, 0.05, 0.02 }, { -2.0, 0.5, 1.0 } };
+  arrays.LookFrom(eyes[view], view == 1 ? 60.0 : 35.0, 150, 140);
+}
+
+void CheckTetrahedra(TestChecks& checks)
+{
+  TileArrays arrays(7);
+  arrays.SetFunction(false);
+  arrays.SetMesh();
+  std::vector<vtkIdType> order(static_cast<std::size_t>(arrays.GetNumberOfCells()));
+  std::iota(order.begin(), order.end(), 0);
+  std::vector<float> depth;
+  CheckThreads(checks,
+    [&](int view)
+    {
+      LookAt(arrays, view);
+      Image all;
+      for (int part = 0; part < 4; ++part)
+      {
+        arrays.SetFunction(part == 1);
+        arrays.Scene.BackToFront = part == 2 ? &order : nullptr;
+        arrays.Scene.ClippingPlanes.clear();
+        if (part == 3)
+        {
+          arrays.Scene.ClippingPlanes.emplace_back(0.3f, 0.9f, 0.1f, 0.1f);
+        }
+        depth.assign(150 * 140, part == 3 ? 0.996f : 1.0f);
+        arrays.Scene.OpaqueDepth = depth.data();
+        CHECK(arrays.Render());
+        const Image& image = arrays.Engine.GetImage();
+        all.insert(all.end(), image.begin(), image.end());
+      }
+      return all;
+    });
+}
+
+void CheckAbort(TestChecks& checks)
+{
+  vtkSMPTools::SetBackend("STDThread");
+  TileArrays arrays(7);
+  arrays.SetFunction(false);
+  arrays.SetMesh();
+  LookAt(arrays, 0);
+  CHECK(arrays.Render());
+  const Image image = arrays.Engine.GetImage();
+  LookAt(arrays, 2);
+  int asked = 0;
+  arrays.Scene.IsAborted = [&asked] { return ++asked > 1; };
+  CHECK(!arrays.Render());
+  arrays.Scene.IsAborted = nullptr;
+  LookAt(arrays, 0);
+  CHECK(arrays.Render());
+  CHECK(arrays.Engine.GetImage() == image);
+}
+
+/// Hexahedra as the mappers prepare them.
+struct Hexahedra
+{
+  explicit Hexahedra(int n)
+    : Grid(MeshLattice(n, n, n).Make())
+  {
+    for (vtkIdType id = 0; id < this->Grid->GetNumberOfPoints(); ++id)
+    {
+      double point[3];
+      this->Grid->GetPoint(id, point);
+      for (double& x : point)
+      {
+        this->Points.push_back(static_cast<float>(2.0 * x / n - 1.0));
+      }
+      this->Points.push_back(0.0f);
+      this->Scalars.push_back(static_cast<float>((point[0] + point[1] * point[2] / n) / (2.0 * n)));
+    }
+    this->Cells.Build(this->Grid);
+    this->Pieces.Build(this->Points, this->Cells.Loops);
+    this->Planes.Build(this->Points, this->Cells, this->Pieces);
+    this->Drawn.resize(static_cast<std::size_t>(this->Cells.GetNumberOfCells()));
+    std::iota(this->Drawn.begin(), this->Drawn.end(), 0u);
+  }
+
+  MeshLattice::Grid Grid;
+  std::vector<float> Points, Scalars;
+  std::vector<unsigned int> Drawn;
+  ConvexCellFaces Cells;
+  FacePieces Pieces;
+  CellPlanes Planes;
+};
+
+template <class Engine>
+void CheckConvexCells(TestChecks& checks, Engine& engine)
+{
+  TileArrays arrays(1);
+  arrays.SetFunction(false, 10.0);
+  CheckThreads(checks,
+    [&](int view)
+    {
+      LookAt(arrays, view);
+      ConvexTilesFrame::Scene scene;
+      scene.Camera = arrays.Scene.Camera;
+      scene.Function = arrays.Scene.Function;
+      CHECK(engine.Render(scene));
+      return engine.GetImage();
+    });
+}
+}
+
+int TestTilesKernels(int, char*[])
+{
+  TestChecks checks;
+  CheckTetrahedra(checks);
+  CheckAbort(checks);
+  const Hexahedra mesh(6);
+  EmissionTilesEngine emission;
+  emission.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
+  emission.SetScalars(mesh.Scalars, false);
+  emission.SetDrawn(mesh.Drawn);
+  CheckConvexCells(checks, emission);
+  ExtremumTilesEngine extremum;
+  extremum.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
+  extremum.SetScalars(mesh.Scalars, false, false);
+  extremum.SetDrawn(mesh.Drawn);
+  CheckConvexCells(checks, extremum);
+  return checks.Result();
+}
