@@ -1,5 +1,5 @@
 # Each target does all set-up itself; a second run does nothing twice.
-.PHONY: build demo test bench report pythonpath clean test-newest
+.PHONY: build demo test bench report pythonpath clean test-newest sanitize
 .DEFAULT_GOAL := build
 
 # Two stacks may build one tree: make test-newest has a folder of its own.
@@ -49,5 +49,10 @@ pythonpath:
 test-newest:
 	@Module/NewestVTK/test.sh $(LABEL)
 
+# The kernels of the Tiles engines and their tests with ThreadSanitizer.
+sanitize:
+	@Module/setup.sh
+	@Module/sanitize.sh
+
 clean:
-	rm -rf build build-newest
+	rm -rf build build-newest build-sanitize-thread
