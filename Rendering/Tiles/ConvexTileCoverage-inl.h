@@ -15,6 +15,7 @@
 #include "ConvexTileCells.h"
 #include "ConvexTileExactCell.h"
 #include "ConvexTileFaces.h"
+#include "ConvexTileLanes-inl.h"
 #include "ConvexTileMesh.h"
 #include "ConvexTileRays.h"
 #include "ConvexTileTask.h"
@@ -265,22 +266,89 @@ inline void AppendSegment(const TileView& view, double reference,
   }
 }
 
+/// u of depths before the eye.
+HWY_INLINE LaneVector ScreenDepthOf(const TileView::DepthToScreen& map, LaneVector depth)
+{
+  const LaneDouble d;
+  const auto linear = hn::MulAdd(hn::Set(d, map.Terms[1]), depth, hn::Set(d, map.Terms[0]));
+  const auto one = hn::Set(d, 1.0);
+  return map.InPerspective ? hn::Add(hn::Div(one, linear), hn::Set(d, map.Terms[2])) : linear;
+}
+
+/// The segments of `which` lanes in one part each; `pixel` is that of the first lane. Returns the
+/// lanes that need more parts.
+inline LaneMask AppendLanes(const ConvexTileTask& task, const LanePassage& rays, LaneMask which,
+  int pixel, TileFragments& out)
+{
+  const LaneDouble d;
+  const hn::Rebind<float, LaneDouble> df;
+  const hn::Rebind<std::int32_t, LaneDouble> di;
+  const TileView& view = *task.Common.View;
+  const TileView::DepthToScreen map = view.GetDepthToScreen();
+  const auto reference = hn::Set(d, task.Rays->Reference);
+  const auto entry = ScreenDepthOf(map, hn::Add(reference, rays.Entry));
+  const auto exit = ScreenDepthOf(map, hn::Add(reference, rays.Exit));
+  const auto scale = hn::Set(d, view.WeightScale), offset = hn::Set(d, view.WeightOffset);
+  const auto first = hn::MulAdd(scale, entry, offset), last = hn::MulAdd(scale, exit, offset);
+  const auto isOne = hn::Ge(last, hn::Mul(hn::Set(d, ConvexTileCells::LeastShare), first));
+  const auto kept = hn::And(which, hn::And(isOne, hn::Lt(exit, entry)));
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, kept, bits);
+  const auto lanes = hn::LoadMaskBits(df, bits);
+  const int at = out.Count;
+  auto store = [&](LaneVector value, float* to)
+  { hn::StoreU(hn::Compress(hn::DemoteTo(df, value), lanes), df, to + at); };
+  store(entry, out.Entry);
+  store(hn::Sub(entry, exit), out.Extent);
+  store(hn::Mul(rays.ScalarIn, first), out.ScalarIn);
+  store(hn::Mul(rays.ScalarOut, last), out.ScalarOut);
+  hn::StoreU(hn::Compress(Ramp(di, pixel), hn::RebindMask(di, lanes)), di, out.Pixel + at);
+  out.Count = at + static_cast<int>(hn::CountTrue(d, kept));
+  return hn::AndNot(isOne, which);
+}
+
+/// The rays of a row from column `left` on, `count` of them at most.
+inline void CoverLanes(const ConvexTileTask& task, const TileRectangle& tile,
+  const ConvexTileExactCell& cell, int left, int y, int count, TileFragments& out)
+{
+  const LaneDouble d;
+  const LanePassage rays(cell, *task.Rays, Ramp(d, static_cast<double>(left)), y);
+  const auto used = hn::FirstN(d, static_cast<std::size_t>(count));
+  const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
+  const auto tidy = hn::And(used, hn::AndNot(rays.Odd, rays.Covered));
+  auto others = hn::And(used, rays.Odd);
+  if (!hn::AllFalse(d, tidy))
+  {
+    others = hn::Or(others, AppendLanes(task, rays, tidy, pixel, out));
+  }
+  if (hn::AllFalse(d, others))
+  {
+    return;
+  }
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, others, bits);
+  for (int k = 0; k < static_cast<int>(hn::Lanes(d)); ++k)
+  {
+    ConvexTileExactCell::Segment segment;
+    if ((bits[0] >> k & 1) != 0 && cell.Cross(*task.Rays, left + k, y, segment))
+    {
+      AppendSegment(*task.Common.View, task.Rays->Reference, segment, pixel + k, out);
+    }
+  }
+}
+
 /// A cell in double; hands on the queue whenever it is full.
 template <class Flush>
 void CoverExactConvexCell(const ConvexTileTask& task, const TileRectangle& tile, int id,
   const CellBox& box, ConvexTileExactCell& cell, TileFragments& out, const Flush& flush)
 {
   cell.SetUp(*task.Mesh, id);
-  ConvexTileExactCell::Segment segment;
+  const int lanes = static_cast<int>(hn::Lanes(LaneDouble()));
   for (int y = box.FirstY; y <= box.LastY; ++y)
   {
-    for (int x = box.FirstX; x <= box.LastX; ++x)
+    for (int x = box.FirstX; x <= box.LastX; x += lanes)
     {
-      if (cell.Cross(*task.Rays, x, y, segment))
-      {
-        AppendSegment(*task.Common.View, task.Rays->Reference, segment,
-          (y - tile.Bottom) * TileSize::Pixels + x - tile.Left, out);
-      }
+      CoverLanes(task, tile, cell, x, y, std::min(lanes, box.LastX - x + 1), out);
     }
     if (out.Count >= TileFragments::Full)
     {

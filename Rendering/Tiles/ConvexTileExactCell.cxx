@@ -16,9 +16,6 @@ namespace
 {
 // Along no face of a tidy mesh.
 const glm::dvec3 NudgeDirection(0.6180340, 0.4142136, 0.2360680);
-// Sine of the angle below which a ray runs along a plane, and the height that is rounding there.
-constexpr double Rounding = 1e-12;
-constexpr double FarAway = 1e30;
 // In pixels: rounding must not keep a pixel from a cell.
 constexpr double Margin = 1.0 / 64.0;
 

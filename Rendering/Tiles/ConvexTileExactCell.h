@@ -37,7 +37,10 @@ public:
    *  first. */
   static std::array<int, 4> FindBox(const ConvexTileMesh& mesh, const TileView& view, int cell);
 
-private:
+  /** Sine of the angle below which a ray runs along a plane, and the height that is rounding there. */
+  static constexpr double Rounding = 1e-12;
+  static constexpr double FarAway = 1e30;
+
   /** Inside where Normal . (x - Center) + Offset > 0. */
   struct Plane
   {
@@ -54,6 +57,15 @@ private:
     std::array<double, 4> Scalars;
     bool HasTwo, GoesOn;
   };
+  glm::dvec3 Center{ 0.0 };
+  std::vector<Plane> Planes;
+  /** Pairs: inside either is inside. */
+  std::vector<Plane> Valleys;
+  std::vector<Piece> Pieces;
+  bool HasCellScalar = false;
+  double CellScalar = 0.0;
+
+private:
   /** Depths beside the cell's centre, and the planes of both ends. */
   struct Passage
   {
@@ -70,14 +82,6 @@ private:
   double ScalarOnFace(int piece, const glm::dvec3& point, const glm::dvec3& direction) const;
   static bool FindScalar(const Piece& piece, int second, const glm::dvec3& point,
     const glm::dvec3& direction, double& scalar);
-
-  glm::dvec3 Center{ 0.0 };
-  std::vector<Plane> Planes;
-  /** Pairs: inside either is inside. */
-  std::vector<Plane> Valleys;
-  std::vector<Piece> Pieces;
-  bool HasCellScalar = false;
-  double CellScalar = 0.0;
 };
 
 #endif

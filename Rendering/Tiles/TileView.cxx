@@ -122,6 +122,16 @@ double TileView::ScreenDepth(double depth) const
 }
 
 //------------------------------------------------------------------------------
+TileView::DepthToScreen TileView::GetDepthToScreen() const
+{
+  if (this->IsParallel)
+  {
+    return { { { this->Reference, -1.0, 0.0 } }, false };
+  }
+  return { { { this->ViewToClip[3][3], -this->ViewToClip[2][3], -this->WeightOffset } }, true };
+}
+
+//------------------------------------------------------------------------------
 double TileView::DepthOfWindow(double z) const
 {
   const glm::dmat4& clip = this->ViewToClip;

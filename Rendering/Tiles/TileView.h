@@ -39,6 +39,14 @@ public:
 
   /** u at a depth from the view's origin. */
   double ScreenDepth(double depth) const;
+  /** 1 / (Terms[0] + Terms[1] * depth) + Terms[2] where InPerspective, else Terms[0] + Terms[1] *
+   *  depth: the same, for those who have many depths before the eye. */
+  struct DepthToScreen
+  {
+    std::array<double, 3> Terms;
+    bool InPerspective;
+  };
+  DepthToScreen GetDepthToScreen() const;
   /** Depth from the view's origin of a window depth in [0, 1]. */
   double DepthOfWindow(double z) const;
 

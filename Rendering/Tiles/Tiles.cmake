@@ -38,6 +38,7 @@ list(APPEND private_headers
   Rendering/Tiles/ConvexTileCoverage-inl.h
   Rendering/Tiles/ConvexTileExactCell.h
   Rendering/Tiles/ConvexTileFaces.h
+  Rendering/Tiles/ConvexTileLanes-inl.h
   Rendering/Tiles/ConvexTileMesh.h
   Rendering/Tiles/ConvexTileRays.h
   Rendering/Tiles/ConvexTileTask.h
