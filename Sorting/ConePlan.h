@@ -1,6 +1,8 @@
 /**
- * A cell cut from one of its vertices along the triangles of its faces, FaceTriangles, where one sees
- * each of them from inside: no tetrahedron is dropped that another cell's face would need.
+ * A cell cut from one of its vertices along the triangles of its faces, FaceTriangles, where one
+ * sees each of them from inside. Dropped are tetrahedra without a volume, over triangles whose edges
+ * go straight on within FaceTriangles::Straight: where such a triangle has an area, the cell beside
+ * may have a tetrahedron over it.
  */
 #ifndef ConePlan_h
 #define ConePlan_h

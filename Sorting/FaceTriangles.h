@@ -39,9 +39,10 @@ public:
 
   /**
    * A vertex such that each triangle that does not touch it makes a tetrahedron of positive volume
-   * with it, but for faces without an area: that of smallest id where it does, else the first; -1
-   * where there is none. `sign`: -1 where the cell is inside out. `flatness`: how far behind a
-   * triangle's plane the vertex may lie, by the size of the cell.
+   * with it, or of none where two of the triangle's edges go straight on (faces without an area, and
+   * narrow ones): that of smallest id where it does, else the first; -1 where there is none. `sign`:
+   * -1 where the cell is inside out. `flatness`: how far behind a triangle's plane the vertex may
+   * lie, by the size of the cell.
    */
   int FindApex(double sign, double flatness = 0.0) const;
 

@@ -76,8 +76,10 @@
  *
  * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
  * different data are not told apart: the smallest id wins. Faces match where nothing was dropped
- * but what repeats a point, and no face runs back on itself. In the default mode a cell of the output may meet tetrahedra across a
- * face: they are its face's triangles, but where nodes hang on the face's edges.
+ * but what repeats a point, no face runs back on itself, and no straight cell that shares an edge
+ * with a curved one lacks a corner that sees all of it (one with nodes on all of its edges does): it
+ * is not split from a point within. In the default mode a cell of the output may meet tetrahedra
+ * across a face: they are its face's triangles, but where nodes hang on the face's edges.
  */
 
 #ifndef vtkConvexCells_h

@@ -33,6 +33,7 @@ private:
     double Size = 0.0;     // largest coordinate less the smallest
     double Volume = 0.0;   // within its faces, of Size 1; negative where they are wound inward
     double FanVolume = 0.0; // the same by fans from the smallest ids
+    bool RunsBack = false; // a face does on itself
     double Made[2] = { -1.0, -1.0 }; // by mode; below zero where it is not to be compared
   };
 

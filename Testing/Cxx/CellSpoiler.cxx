@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
+#include <numeric>
 
 namespace
 {
@@ -39,6 +41,66 @@ Cell CellSpoiler::MakePolyhedron()
   }
   cell.Sides.insert(cell.Sides.end(), ends.begin(), ends.end());
   return cell;
+}
+
+// Nodes on the straight edge from the smaller id to the larger, two at most.
+Ids CellSpoiler::HangNodes(Cell& cell, const Edge& edge, std::size_t rarity)
+{
+  Ids nodes;
+  const std::size_t count = this->Index(rarity) == 0 ? 1 + this->Index(2) : 0;
+  const Point from = cell.Points[edge[0]], along = Minus(cell.Points[edge[1]], from);
+  for (std::size_t node = 1; node <= count; ++node)
+  {
+    const double share = double(node) / (count + 1);
+    nodes.push_back(static_cast<vtkIdType>(cell.Points.size()));
+    cell.Points.push_back(
+      { from[0] + share * along[0], from[1] + share * along[1], from[2] + share * along[2] });
+  }
+  return nodes;
+}
+
+// In every side that has the edge; then ids in any order.
+void CellSpoiler::Hang(Cell& cell)
+{
+  std::map<Edge, Ids> hanging;
+  const std::size_t rarity = 1 + this->Index(3);
+  Faces sides;
+  for (const Ids& side : cell.Sides)
+  {
+    Ids all;
+    for (std::size_t i = 0; i < side.size(); ++i)
+    {
+      const vtkIdType a = side[i], b = side[(i + 1) % side.size()];
+      const Edge edge = { std::min(a, b), std::max(a, b) };
+      if (hanging.count(edge) == 0)
+      {
+        hanging[edge] = this->HangNodes(cell, edge, rarity);
+      }
+      const Ids& nodes = hanging[edge];
+      all.push_back(a);
+      a < b ? all.insert(all.end(), nodes.begin(), nodes.end())
+            : all.insert(all.end(), nodes.rbegin(), nodes.rend());
+    }
+    sides.push_back(all);
+  }
+  cell.Sides = sides;
+  this->Renumber(cell);
+}
+
+void CellSpoiler::Renumber(Cell& cell)
+{
+  Ids names(cell.Points.size());
+  std::iota(names.begin(), names.end(), vtkIdType{ 0 });
+  std::shuffle(names.begin(), names.end(), this->Random);
+  const std::vector<Point> points = cell.Points;
+  for (std::size_t id = 0; id < names.size(); ++id)
+  {
+    cell.Points[names[id]] = points[id];
+  }
+  for (Ids& side : cell.Sides)
+  {
+    std::transform(side.begin(), side.end(), side.begin(), [&](vtkIdType id) { return names[id]; });
+  }
 }
 
 // Turned, stretched, moved, and bent a little or a lot.
@@ -227,6 +289,10 @@ Cell CellSpoiler::Make(int type)
   }
   cell.Type = type;
   this->Place(cell);
+  if (type == VTK_POLYHEDRON && this->Index(2) == 0)
+  {
+    this->Hang(cell);
+  }
   for (std::size_t spoilt = this->Index(3); spoilt > 0; --spoilt)
   {
     const std::size_t kind = this->Index(8);

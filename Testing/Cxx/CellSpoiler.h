@@ -5,7 +5,8 @@
 
 #include <random>
 
-/// Makes random cells, one of three as good as new, and spoils the others once or twice.
+/// Makes random cells, one of three as good as new, and spoils the others once or twice. Every other
+/// polyhedron has nodes on its edges.
 class CellSpoiler
 {
 public:
@@ -33,6 +34,10 @@ private:
   std::size_t Index(std::size_t count) { return this->Random() % count; }
 
   Cell MakePolyhedron();
+  using Edge = std::array<vtkIdType, 2>;
+  std::vector<vtkIdType> HangNodes(Cell& cell, const Edge& edge, std::size_t rarity);
+  void Hang(Cell& cell);
+  void Renumber(Cell& cell);
   void Place(Cell& cell);
   void SpoilPoints(Cell& cell);
   void SpoilShape(Cell& cell);

@@ -1,6 +1,7 @@
 // Hanging nodes: an octree as polyhedra, whose large cells have the nodes and faces of the small
 // ones beside them; boxes with several nodes on each edge; the polyhedra and prisms of real files.
-// Volumes stay, and every inner face is matched by exactly one other.
+// Volumes stay. Of tetrahedra every inner face is matched by exactly one other. Of convex cells the
+// faces that have no other are as large as the surface; not tested where tetrahedra are among them.
 #include "CellZoo.h"
 #include "ConvexCellsTesting.h"
 #include "HangingMeshes.h"

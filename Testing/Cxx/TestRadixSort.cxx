@@ -82,7 +82,7 @@ void CheckBuffers(TestChecks& checks)
   CHECK(sort.GetItems() == first);
 }
 
-// Keys that lie in one or two of the 256 buckets are parted again, and once more.
+// Keys that lie in one or two of the 256 buckets are parted again.
 void CheckUnevenKeys(TestChecks& checks)
 {
   RadixSort sort;
@@ -97,6 +97,23 @@ void CheckUnevenKeys(TestChecks& checks)
     }
     CHECK(SortsAsStableSort(sort, items));
   }
+}
+
+// The many fill one bucket of the first pass, by the largest key, and of the second, by the next.
+void CheckThirdParting(TestChecks& checks)
+{
+  constexpr std::uint32_t least = 0x10000000u;
+  RadixSort sort;
+  std::mt19937 random(13);
+  Items items(200000);
+  for (std::size_t i = 0; i < items.size(); ++i)
+  {
+    items[i] = { least + (static_cast<std::uint32_t>(random()) & 0xffu),
+      static_cast<std::uint32_t>(i) };
+  }
+  items[7].Key = least + (1u << 16);
+  items[90000].Key = least + (1u << 31);
+  CHECK(SortsAsStableSort(sort, items));
 }
 
 // Printed, never checked.
@@ -129,6 +146,7 @@ int TestRadixSort(int, char*[])
   CheckOrder(checks);
   CheckKeys(checks);
   CheckUnevenKeys(checks);
+  CheckThirdParting(checks);
   CheckBuffers(checks);
   PrintSpeed();
   return checks.Result();
