@@ -2,6 +2,7 @@
 
 #include "ConePlan.h"
 #include "ConvexCellReport.h"
+#include "ConvexityTest.h"
 #include "CurvedCells.h"
 #include "PolyhedronPlan.h"
 #include "ReplacedCell.h"
@@ -20,23 +21,6 @@ namespace
 using TetrahedralSplit::Shape;
 
 constexpr vtkIdType BlockSize = 4096;
-
-// Of a voxel in a hexahedron's order: along the axes, as VTK has it.
-bool IsBox(const double (*points)[3])
-{
-  constexpr int high[3][4] = { { 1, 2, 5, 6 }, { 2, 3, 6, 7 }, { 4, 5, 6, 7 } };
-  constexpr int low[3][4] = { { 0, 3, 4, 7 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
-  bool isBox = true;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    for (int i = 1; i < 4; ++i)
-    {
-      isBox = isBox && points[high[axis][i]][axis] == points[high[axis][0]][axis] &&
-              points[low[axis][i]][axis] == points[low[axis][0]][axis];
-    }
-  }
-  return isBox;
-}
 }
 
 /** What one thread reads a cell into. */
@@ -118,7 +102,7 @@ ConvexCellCut ConvexCellConversion::FindCut(int type, const double (*points)[3])
   {
     return ConvexCellCut::All;
   }
-  const bool isConvex = type == VTK_TETRA || (type == VTK_VOXEL && IsBox(points));
+  const bool isConvex = type == VTK_TETRA || (type == VTK_VOXEL && ConvexityTest::IsBox(points));
   return isConvex ? ConvexCellCut::None : ConvexCellCut::NonConvex;
 }
 
@@ -133,8 +117,6 @@ ConvexCellPlan ConvexCellConversion::PlanCell(
   vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor)
 {
   ConvexCellPlan plan;
-  Shape shape;
-  const int type = this->Reader.GetTypes()[cell];
   plan.Fate = this->Curved ? this->Curved->GetFate(cell) : ConvexCellPlan::Whole;
   plan.Fate = plan.Fate == ConvexCellPlan::Whole ? this->Reader.Refuse(cell) : plan.Fate;
   if (plan.Fate != ConvexCellPlan::Whole)
@@ -145,10 +127,16 @@ ConvexCellPlan ConvexCellConversion::PlanCell(
   {
     return ReplacedCell::Plan(*this->Curved, this->Points, cell, cursor);
   }
-  if (this->IsOfFaces(cell))
-  {
-    return this->PlanSurfaceCell(cell, scratch, cursor);
-  }
+  return this->IsOfFaces(cell) ? this->PlanSurfaceCell(cell, scratch, cursor)
+                               : this->PlanLinearCell(cell, scratch, cursor);
+}
+
+ConvexCellPlan ConvexCellConversion::PlanLinearCell(
+  vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor)
+{
+  ConvexCellPlan plan;
+  Shape shape;
+  const int type = this->Reader.GetTypes()[cell];
   if (!ConvexCellReader::ShapeOf(type, shape))
   {
     plan.Fate = ConvexCellPlan::OtherType;
@@ -263,8 +251,6 @@ void ConvexCellConversion::WriteCell(
   vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
 {
   const ConvexCellPlan& plan = this->Plans[cell];
-  const vtkIdType* outputIds = this->Points.GetOutputIds();
-  Shape shape;
   if (plan.Fate > ConvexCellPlan::Tetrahedra)
   {
     return;
@@ -277,23 +263,37 @@ void ConvexCellConversion::WriteCell(
   {
     this->WriteSurfaceCell(cell, scratch, arrays, cursor);
   }
-  else if (ConvexCellReader::ShapeOf(this->Reader.GetTypes()[cell], shape) &&
-           this->Reader.ReadIds(
-             cell, shape, this->Points.GetCanonical(), scratch.List, scratch.Ids))
+  else
   {
-    const int count = TetrahedralSplit::NumberOfVertices(shape);
-    if (plan.Star)
-    {
-      this->Stars.Write(cell, TetrahedralSplit::SolidOf(shape), scratch.Ids,
-        this->FetchPoints(scratch.Ids, count, scratch), outputIds, arrays, cursor);
-      return;
-    }
-    if (plan.ByFaces)
-    {
-      this->WriteByFaces(cell, shape, scratch, arrays, cursor);
-      return;
-    }
-    WriteConvexCell(plan, shape, scratch.Ids, outputIds, cell, arrays, cursor);
+    this->WriteLinearCell(cell, scratch, arrays, cursor);
+  }
+}
+
+void ConvexCellConversion::WriteLinearCell(
+  vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const
+{
+  const ConvexCellPlan& plan = this->Plans[cell];
+  const vtkIdType* outputIds = this->Points.GetOutputIds();
+  const vtkIdType* ids = scratch.Ids;
+  Shape shape;
+  if (!ConvexCellReader::ShapeOf(this->Reader.GetTypes()[cell], shape) ||
+    !this->Reader.ReadIds(cell, shape, this->Points.GetCanonical(), scratch.List, scratch.Ids))
+  {
+    return;
+  }
+  if (plan.Star)
+  {
+    const auto& solid = TetrahedralSplit::SolidOf(shape);
+    this->Stars.Write(cell, solid, ids, this->FetchPoints(ids, solid.NumberOfVertices, scratch),
+      outputIds, arrays, cursor);
+  }
+  else if (plan.ByFaces)
+  {
+    this->WriteByFaces(cell, shape, scratch, arrays, cursor);
+  }
+  else
+  {
+    WriteConvexCell(plan, shape, ids, outputIds, cell, arrays, cursor);
   }
 }
 

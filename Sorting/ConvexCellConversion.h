@@ -68,11 +68,14 @@ private:
 
   ConvexCellCut FindCut(int type, const double (*points)[3]) const;
   ConvexCellPlan PlanCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
+  ConvexCellPlan PlanLinearCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
   ConvexCellPlan PlanSurfaceCell(vtkIdType cell, Scratch& scratch, ConvexCellCursor& cursor);
   void PlanByFaces(vtkIdType cell, TetrahedralSplit::Shape shape, Scratch& scratch,
     ConvexCellPlan& plan, ConvexCellCursor& cursor);
   bool IsOfFaces(vtkIdType cell) const;
   void WriteCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
+    ConvexCellCursor& cursor) const;
+  void WriteLinearCell(vtkIdType cell, Scratch& scratch, const ConvexCellArrays& arrays,
     ConvexCellCursor& cursor) const;
   void WriteByFaces(vtkIdType cell, TetrahedralSplit::Shape shape, Scratch& scratch,
     const ConvexCellArrays& arrays, ConvexCellCursor& cursor) const;

@@ -175,4 +175,20 @@ bool IsConvex(const Solid& solid, const vtkIdType* ids, const double (*points)[3
   }
   return true;
 }
+
+bool IsBox(const double (*points)[3])
+{
+  constexpr int high[3][4] = { { 1, 2, 5, 6 }, { 2, 3, 6, 7 }, { 4, 5, 6, 7 } };
+  constexpr int low[3][4] = { { 0, 3, 4, 7 }, { 0, 1, 4, 5 }, { 0, 1, 2, 3 } };
+  bool isBox = true;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    for (int i = 1; i < 4; ++i)
+    {
+      isBox = isBox && points[high[axis][i]][axis] == points[high[axis][0]][axis] &&
+              points[low[axis][i]][axis] == points[low[axis][0]][axis];
+    }
+  }
+  return isBox;
+}
 }

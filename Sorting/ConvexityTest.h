@@ -24,6 +24,9 @@ constexpr double PlanarTolerance = 1e-5;
 /** `ids` and `points`, finite, by the solid's vertices; `sign`: negative where it is inside out. */
 bool IsConvex(const TetrahedralSplit::Solid& solid, const vtkIdType* ids, const double (*points)[3],
   double sign);
+
+/** Whether a voxel, its eight vertices in a hexahedron's order, is along the axes, as VTK has it. */
+bool IsBox(const double (*points)[3]);
 }
 
 #endif

@@ -14,6 +14,26 @@
 namespace
 {
 constexpr vtkIdType Grain = 16384;
+
+// The first item of another key than the one before it.
+vtkIdType BeginOfRuns(const RadixSort::Item* items, vtkIdType begin, vtkIdType end)
+{
+  while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
+  {
+    ++begin;
+  }
+  return begin;
+}
+
+vtkIdType EndOfRun(const RadixSort::Item* items, vtkIdType begin, vtkIdType count)
+{
+  vtkIdType end = begin + 1;
+  while (end < count && items[end].Key == items[begin].Key)
+  {
+    ++end;
+  }
+  return end;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -130,11 +150,7 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) co
   const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
   const vtkIdType first = chunk * Grain;
   const vtkIdType end = std::min(count, first + Grain);
-  vtkIdType begin = first;
-  while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
-  {
-    ++begin;
-  }
+  vtkIdType begin = BeginOfRuns(items, first, end);
   vtkIdType* to = order + this->Places[chunk] + this->CountCells(first, begin);
   std::vector<Run> runs;
   std::vector<Tie> ties;
@@ -146,11 +162,7 @@ void PowerCells::WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) co
     {
       *to++ = items[begin].Id;
     }
-    vtkIdType next = begin + 1;
-    while (next < count && items[next].Key == items[begin].Key)
-    {
-      ++next;
-    }
+    const vtkIdType next = EndOfRun(items, begin, count);
     if (next - begin == 1)
     {
       to = this->WriteCells(items[begin].Id, to);
