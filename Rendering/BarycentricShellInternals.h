@@ -90,13 +90,12 @@ public:
     this->Surfaces.MakeTriangles(
       prepared, this->Elements.Selection.Corners, this->Elements.CornersTime);
     const IsoTriangles& triangles = this->Surfaces.GetTriangles();
-    this->Elements.CountTurnedCells(prepared, &triangles.Cells);
+    this->Elements.CountTurnedCells(prepared, &triangles.Cells, this->Surfaces.GetCutTime());
     const auto cells = static_cast<vtkIdType>(this->Elements.Selection.Corners.size() / 4);
-    statistics.CellsDrawn = static_cast<vtkIdType>(triangles.Cells.size());
-    statistics.CellsSkippedTransparent =
-      cells - statistics.CellsDrawn - triangles.NumberOfInvalidCells;
-    statistics.CellsSkippedInvalid +=
-      triangles.NumberOfInvalidCells + triangles.NumberOfLostTriangles;
+    const auto cut = static_cast<vtkIdType>(triangles.Cells.size());
+    statistics.CellsDrawn = cut - triangles.NumberOfLostCells;
+    statistics.CellsSkippedTransparent = cells - cut - triangles.NumberOfInvalidCells;
+    statistics.CellsSkippedInvalid += triangles.NumberOfInvalidCells + triangles.NumberOfLostCells;
   }
 
   bool DrawIntoWindow(

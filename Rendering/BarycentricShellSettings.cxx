@@ -138,7 +138,10 @@ vtkIdType vtkBarycentricShellMapper::GetUploadedBytes() const
 //------------------------------------------------------------------------------
 double vtkBarycentricShellMapper::GetUploadSeconds() const
 {
-  return this->Internal->Buffers.GetUploadSeconds();
+  const Internals& internal = *this->Internal;
+  return this->BlendMode == ISOSURFACE && internal.Surfaces.AreTriangles()
+    ? internal.Surfaces.GetTriangleRaster().GetUploadSeconds()
+    : internal.Buffers.GetUploadSeconds();
 }
 
 //------------------------------------------------------------------------------

@@ -12,6 +12,13 @@
 #include "vtkVolumeProperty.h"
 
 #include <algorithm>
+#include <cmath>
+
+//------------------------------------------------------------------------------
+IsoSurfaces::IsoSurfaces()
+{
+  this->Shading.TakesColors = false;
+}
 
 //------------------------------------------------------------------------------
 void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVolume& prepared,
@@ -24,10 +31,13 @@ void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVol
   this->Values.clear();
   // What a gradient opacity leaves of each point is found where it is drawn.
   this->IsOpaque = !VolumePropertyReader(property).HasGradientOpacity();
+  int skipped = 0;
   for (int i = 0; i < contours->GetNumberOfContours(); ++i)
   {
     const double value = contours->GetValue(i);
-    const double opacity = property->GetScalarOpacity()->GetValue(value);
+    const bool isFinite = std::isfinite(value);
+    skipped += isFinite ? 0 : 1;
+    const double opacity = isFinite ? property->GetScalarOpacity()->GetValue(value) : 0.0;
     // A mesh of one scalar has none.
     if (width > 0.0 && opacity > 0.0 && !prepared.Scalars.OnePerCell)
     {
@@ -35,12 +45,25 @@ void IsoSurfaces::TakeValues(const CellProjectionFrame& frame, const PreparedVol
       this->IsOpaque = this->IsOpaque && opacity >= 1.0;
     }
   }
-  if (contours->GetNumberOfContours() == 0)
+  this->CheckValues(
+    contours->GetNumberOfContours(), skipped, prepared.Scalars.OnePerCell, problems);
+}
+
+//------------------------------------------------------------------------------
+void IsoSurfaces::CheckValues(
+  int count, int skipped, bool onePerCell, std::vector<std::string>& problems)
+{
+  if (count == 0)
   {
     problems.emplace_back("The property has no iso-surface values: nothing is drawn; call "
                           "GetIsoSurfaceValues()->SetValue(0, ...).");
   }
-  if (prepared.Scalars.OnePerCell)
+  if (skipped > 0)
+  {
+    problems.push_back(std::to_string(skipped) +
+                       " of the iso-surface values are not finite: they are not drawn.");
+  }
+  if (onePerCell)
   {
     problems.emplace_back("Scalars that are constant in their cells have no iso-surface: nothing "
                           "is drawn; take point scalars.");
@@ -74,7 +97,7 @@ void IsoSurfaces::MakeTriangles(const PreparedVolume& prepared, const std::vecto
   if (this->TriangleSource.VerticesTime < this->TriangleSource.CutTime ||
       this->TriangleSource.VerticesTime < prepared.PointsTime)
   {
-    this->Triangles.Move(prepared.Coordinates.Points);
+    this->Triangles.Move(corners, prepared.Coordinates.Points);
     this->TriangleSource.VerticesTime.Modified();
   }
 }

@@ -23,6 +23,8 @@ struct PreparedVolume;
 class IsoSurfaces
 {
 public:
+  IsoSurfaces();
+
   /// Takes the values; what cannot be drawn is named in `problems`.
   void TakeValues(const CellProjectionFrame& frame, const PreparedVolume& prepared,
     std::vector<std::string>& problems);
@@ -36,6 +38,7 @@ public:
   void MakeTriangles(const PreparedVolume& prepared, const std::vector<int>& corners,
     const vtkTimeStamp& cornersTime);
   const IsoTriangles& GetTriangles() const { return this->Triangles; }
+  const vtkTimeStamp& GetCutTime() const { return this->TriangleSource.CutTime; }
   const IsoTriangleRaster& GetTriangleRaster() const { return this->Raster.GetTriangles(); }
   /// After MakeTriangles, into the window and its depth: no image, and no DrawDepth.
   bool DrawIntoWindow(const CellProjectionFrame& frame, const PreparedVolume& prepared,
@@ -57,6 +60,8 @@ private:
   IsoRaster::View MakeView(const CellProjectionFrame& frame, const PreparedVolume& prepared);
   bool Shade(const CellProjectionFrame& frame, const PreparedVolume& prepared,
     const std::vector<int>& corners, const vtkTimeStamp& cornersTime);
+  void CheckValues(
+    int count, int skipped, bool onePerCell, std::vector<std::string>& problems);
   void ShadeTriangles(const PreparedVolume& prepared);
 
   IsoTriangles Triangles;

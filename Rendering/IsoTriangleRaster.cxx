@@ -1,5 +1,6 @@
 #include "IsoTriangleRaster.h"
 
+#include "FrameStatistics.h"
 #include "IsoTriangles.h"
 #include "RayUniforms.h"
 #include "ShadingBuffers.h"
@@ -88,6 +89,7 @@ bool IsoTriangleRaster::SendTriangles(
 //------------------------------------------------------------------------------
 bool IsoTriangleRaster::Upload(vtkOpenGLRenderWindow* window, const Source& source, bool isLit)
 {
+  FrameStatistics::Timer timer(this->UploadSeconds);
   const IsoTriangles& triangles = *source.Triangles;
   this->NumberOfBytes =
     sizeof(float) * (triangles.Vertices.size() + (isLit ? triangles.Gradients.size() : 0)) +
@@ -106,6 +108,7 @@ bool IsoTriangleRaster::Prepare(vtkOpenGLRenderWindow* window, const RasterView&
   const bool isLit = shading.IsLit();
   // The driver has no buffer of nothing.
   this->UploadedBytes = this->NumberOfBytes = 0;
+  this->UploadSeconds = 0.0;
   if (!source.Triangles->Triangles.empty() && !this->Upload(window, source, isLit))
   {
     return false;

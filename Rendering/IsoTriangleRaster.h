@@ -46,8 +46,9 @@ public:
     ShadingBuffers& shading, const glm::vec4& fragmentDepth);
 
   size_t GetNumberOfBytes() const { return this->NumberOfBytes; }
-  /// Of the last Prepare.
+  /// Of the last Prepare, and how long that took.
   size_t GetUploadedBytes() const { return this->UploadedBytes; }
+  double GetUploadSeconds() const { return this->UploadSeconds; }
   void ReleaseGraphicsResources(vtkWindow* window);
   const std::string& GetFailure() const { return this->Failure; }
 
@@ -68,6 +69,7 @@ private:
   vtkShaderProgram* Program = nullptr;
   size_t NumberOfBytes = 0;
   size_t UploadedBytes = 0;
+  double UploadSeconds = 0.0;
   std::string Failure;
 };
 

@@ -142,9 +142,31 @@ void IsoTriangles::CutCells(const std::vector<int>& corners, const std::vector<f
       const int from = ids[found.Vertices[vertex][0]];
       const int to = ids[found.Vertices[vertex][1]];
       const double start = scalars[from];
-      part.Edges.push_back({ from, to, static_cast<float>((value - start) / (scalars[to] - start)) });
+      const auto share = static_cast<float>((value - start) / (scalars[to] - start));
+      // On a point it is the same vertex for all edges that end there.
+      part.Edges.push_back({ share < 1.0f ? from : to, share > 0.0f ? to : from, share });
     }
   }
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangles::IsNew(const Edge* triangle, Faces& faces)
+{
+  std::array<int, 3> points;
+  int onPoints = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    points[i] = triangle[i].From;
+    onPoints += triangle[i].From == triangle[i].To ? 1 : 0;
+  }
+  if (onPoints < 3)
+  {
+    return true;
+  }
+  // A face comes from the cells on both of its sides; a cell that touches the value gives a point.
+  std::sort(points.begin(), points.end());
+  const bool isFace = points[0] != points[1] && points[1] != points[2];
+  return isFace && faces.insert(points).second;
 }
 
 //------------------------------------------------------------------------------
@@ -169,11 +191,18 @@ void IsoTriangles::AppendSurface(const std::vector<Part>& parts, float value)
 {
   this->LastOfPoint.assign(this->Levels.size(), -1);
   const size_t first = this->Triangles.size() / 3;
+  Faces faces;
   for (const Part& part : parts)
   {
-    for (const Edge& edge : part.Edges)
+    for (size_t i = 0; i < part.Edges.size(); i += 3)
     {
-      this->Triangles.push_back(this->FindVertex(edge));
+      if (IsNew(&part.Edges[i], faces))
+      {
+        for (size_t vertex = i; vertex < i + 3; ++vertex)
+        {
+          this->Triangles.push_back(this->FindVertex(part.Edges[vertex]));
+        }
+      }
     }
   }
   this->Surfaces.push_back({ value, first, this->Triangles.size() / 3 });
@@ -221,7 +250,7 @@ void IsoTriangles::Cut(const std::vector<int>& corners, const std::vector<float>
 }
 
 //------------------------------------------------------------------------------
-void IsoTriangles::Move(const std::vector<float>& points)
+void IsoTriangles::Move(const std::vector<int>& corners, const std::vector<float>& points)
 {
   this->Vertices.resize(4 * this->Edges.size());
   std::atomic<bool> isAnyLost(false);
@@ -247,22 +276,27 @@ void IsoTriangles::Move(const std::vector<float>& points)
         }
       }
     });
-  this->NumberOfLostTriangles = 0;
+  this->NumberOfLostCells = 0;
   if (isAnyLost)
   {
-    this->CountLostTriangles();
+    this->CountLostCells(corners, points);
   }
 }
 
 //------------------------------------------------------------------------------
-void IsoTriangles::CountLostTriangles()
+void IsoTriangles::CountLostCells(
+  const std::vector<int>& corners, const std::vector<float>& points)
 {
-  for (size_t i = 0; i < this->Triangles.size(); i += 3)
+  for (const int cell : this->Cells)
   {
-    const int* ids = &this->Triangles[i];
-    const bool isLost = std::any_of(ids, ids + 3,
-      [this](int id) { return this->Vertices[4 * static_cast<size_t>(id) + 3] == 0.0f; });
-    this->NumberOfLostTriangles += isLost ? 1 : 0;
+    const int* ids = &corners[4 * static_cast<size_t>(cell)];
+    const bool isLost = std::any_of(ids, ids + 4,
+      [&points](int id)
+      {
+        const float* point = &points[4 * static_cast<size_t>(id)];
+        return !std::isfinite(point[0] + point[1] + point[2]);
+      });
+    this->NumberOfLostCells += isLost ? 1 : 0;
   }
 }
 

@@ -3,7 +3,9 @@
 
 #include "vtkType.h"
 
+#include <array>
 #include <cstddef>
+#include <set>
 #include <vector>
 
 /**
@@ -13,7 +15,8 @@
  * Where the scalar is linear in a tetrahedron, the points of one value form a triangle or a planar
  * quadrilateral, whose corners lie on edges (Doi and Koide 1991, in Georgii and Westermann 2006).
  * A corner is the same to the last bit in all cells around its edge: the surface has no crack. A
- * face all of whose points have the value belongs to it where a cell rises from it.
+ * face all of whose points have the value belongs to it once, whether cells of other values lie on
+ * one side or on both.
  *
  * What the scalars decide, the edges that are cut and where, is found apart from what points
  * decide: points that move cost as much as the surface is large.
@@ -38,8 +41,8 @@ public:
   void Cut(const std::vector<int>& corners, const std::vector<float>& scalars,
     std::vector<float> values);
 
-  /// Puts the vertices on their edges.
-  void Move(const std::vector<float>& points);
+  /// Puts the vertices on their edges; `corners` as they were cut.
+  void Move(const std::vector<int>& corners, const std::vector<float>& points);
 
   /// Interpolates gradients to the vertices.
   void Shade(const std::vector<float>& gradients);
@@ -54,11 +57,11 @@ public:
   /// The cells that are cut.
   std::vector<int> Cells;
   vtkIdType NumberOfInvalidCells = 0;
-  /// Those with a vertex that is not finite.
-  vtkIdType NumberOfLostTriangles = 0;
+  /// Of the cells that are cut: those with a corner that is not finite.
+  vtkIdType NumberOfLostCells = 0;
 
 private:
-  /// A vertex: `Share` of the way between two points.
+  /// A vertex: `Share` of the way between two points; a point twice where it lies on that.
   struct Edge
   {
     int From;
@@ -79,8 +82,12 @@ private:
   void CutCells(const std::vector<int>& corners, const std::vector<float>& scalars, int index,
     Part& part) const;
   void AppendSurface(const std::vector<Part>& parts, float value);
+  /// Faces on the value, by their points, ascending.
+  using Faces = std::set<std::array<int, 3>>;
+  /// False for a face that is in `faces`, to which it adds others, and for a point.
+  static bool IsNew(const Edge* triangle, Faces& faces);
   int FindVertex(const Edge& edge);
-  void CountLostTriangles();
+  void CountLostCells(const std::vector<int>& corners, const std::vector<float>& points);
   void AppendCells(const std::vector<Part>& parts);
 
   /// Of each point: twice the number of values below its scalar, and one more on a value.

@@ -64,7 +64,7 @@ const std::vector<MeshBlock>& PreparedElements::CutIntoBlocks(
 
 //------------------------------------------------------------------------------
 void PreparedElements::CountTurnedCells(
-  const PreparedVolume& prepared, const std::vector<int>* among)
+  const PreparedVolume& prepared, const std::vector<int>* among, const vtkTimeStamp& amongTime)
 {
   const std::vector<float>& points = prepared.Coordinates.Points;
   if (this->TurnedTime < prepared.CellsTime)
@@ -72,12 +72,14 @@ void PreparedElements::CountTurnedCells(
     this->Turned.TakeSides(points, this->Selection.Corners);
     this->NumberOfTurnedCells = 0;
   }
-  else if (this->TurnedTime < prepared.PointsTime)
+  else if (this->TurnedTime < prepared.PointsTime || this->TurnedTime < amongTime ||
+           this->TurnedAmong != among)
   {
     const std::vector<int>& corners = this->Selection.Corners;
     this->NumberOfTurnedCells =
       among ? this->Turned.Count(points, corners, *among) : this->Turned.Count(points, corners);
   }
+  this->TurnedAmong = among;
   this->TurnedTime.Modified();
 }
 

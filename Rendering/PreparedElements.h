@@ -36,8 +36,10 @@ public:
 
   /// After Select, for this view.
   void FindSeen(const PreparedVolume& prepared, const RasterView& view);
-  /// The cells that moved points have turned, of all or of these; FindSeen counts all.
-  void CountTurnedCells(const PreparedVolume& prepared, const std::vector<int>* among = nullptr);
+  /// The cells that moved points have turned, of all or of these, found at `amongTime`; FindSeen
+  /// counts all.
+  void CountTurnedCells(const PreparedVolume& prepared, const std::vector<int>* among = nullptr,
+    const vtkTimeStamp& amongTime = vtkTimeStamp());
   void FillStatistics(FrameStatistics& statistics) const;
 
   /// Those that are seen as ElementLists gives them, as they come; these cells.
@@ -60,6 +62,8 @@ private:
   TurnedCells Turned;
   vtkTimeStamp SelectionTime;
   vtkTimeStamp TurnedTime;
+  /// Only compared.
+  const std::vector<int>* TurnedAmong = nullptr;
 };
 
 #endif

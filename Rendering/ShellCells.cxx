@@ -83,7 +83,9 @@ void ShellCells::SetCell(vtkIdType cell, const int* corners, const std::vector<P
   }
   double range[2];
   EyeDistance(*view.Rays).FindRange(fromEye, range);
-  const bool isFinite = std::isfinite(range[0] + range[1]);
+  // A range may pass over what is not a number.
+  const glm::dvec3 sum = fromEye[0] + fromEye[1] + fromEye[2] + fromEye[3];
+  const bool isFinite = std::isfinite(sum.x + sum.y + sum.z);
   // Wider by what rounding to floats takes away.
   this->Nearest[cell] = static_cast<float>(range[0] - 1e-6 * std::abs(range[0]));
   this->Farthest[cell] = static_cast<float>(range[1] + 1e-6 * std::abs(range[1]));

@@ -239,7 +239,7 @@ double VolumePropertyReader::ReadGradientOpacity(TransferFunction& function) con
 
 //------------------------------------------------------------------------------
 std::vector<std::string> VolumePropertyReader::FindUnsupported(
-  int numberOfComponents, bool onePerCell, bool canShade) const
+  int numberOfComponents, bool onePerCell, bool canShade, bool canDepend) const
 {
   std::vector<std::string> unsupported;
   if (this->Property->GetShade() && !canShade)
@@ -262,7 +262,7 @@ std::vector<std::string> VolumePropertyReader::FindUnsupported(
                              "functions are drawn; call SetTransferFunctionMode(TF_1D).");
   }
   if (numberOfComponents > 1 && !this->Property->GetIndependentComponents() &&
-      !(canShade && this->HasDependentComponents(numberOfComponents)))
+      !(canDepend && this->HasDependentComponents(numberOfComponents)))
   {
     unsupported.emplace_back("IndependentComponents is off: one component of " +
                              std::to_string(numberOfComponents) +

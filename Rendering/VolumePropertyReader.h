@@ -50,10 +50,10 @@ public:
   void Read(const double range[2], const double extremes[2], bool isOpacityPerLength,
     TransferFunction& function, std::vector<std::string>& problems);
 
-  /// What the property asks for and is not drawn; `canShade`: shading, gradient opacity
-  /// and dependent components are.
+  /// What the property asks for and is not drawn; `canShade`: shading and gradient
+  /// opacity are; `canDepend`: dependent components are.
   std::vector<std::string> FindUnsupported(
-    int numberOfComponents, bool onePerCell, bool canShade) const;
+    int numberOfComponents, bool onePerCell, bool canShade, bool canDepend) const;
 
   /// False where it is disabled or 1 everywhere.
   bool HasGradientOpacity() const;

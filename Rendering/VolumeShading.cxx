@@ -22,7 +22,10 @@ void VolumeShading::Prepare(const CellProjectionFrame& frame, const PreparedVolu
   VolumePropertyReader reader(property);
   this->IsLit = property->GetShade() != 0;
   this->HasGradientOpacity = reader.HasGradientOpacity();
-  this->Colors.Prepare(prepared, reader);
+  if (this->TakesColors)
+  {
+    this->Colors.Prepare(prepared, reader);
+  }
   if (!this->IsNeeded())
   {
     return;

@@ -42,6 +42,8 @@ public:
     this->WantedTime.Modified();
   }
 
+  /// Off for those who draw one component alone: Colors stays None.
+  bool TakesColors = true;
   bool IsLit = false;
   bool HasGradientOpacity = false;
   DependentColors Colors;

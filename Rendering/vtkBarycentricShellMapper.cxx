@@ -244,7 +244,8 @@ bool vtkBarycentricShellMapper::ProjectCells(CellProjectionFrame& frame)
                                             : internal.DrawOrdered(frame, prepared, problem);
   }
   this->WarnOnce(MapperMessages::UnresolvedCells(internal.Drawn.NumberOfUnresolvedCells));
-  problem = problem.empty() ? internal.Buffers.GetFailure() : problem;
+  // Triangles have buffers of their own: these say what failed in an earlier frame.
+  problem = problem.empty() && !asTriangles ? internal.Buffers.GetFailure() : problem;
   if (drawn && !problem.empty())
   {
     this->WarnOnce(problem);

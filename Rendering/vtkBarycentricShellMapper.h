@@ -167,6 +167,7 @@ protected:
   }
   bool NeedsTetrahedra() const override { return true; }
   bool CanShade() const override { return this->BlendMode == ISOSURFACE; }
+  bool CanDepend() const override { return false; }
   vtkDataArray* GetOwnScalars() override;
   bool IsOpacityPerLength() const override { return this->BlendMode != ISOSURFACE; }
   bool KeepsCells() const override

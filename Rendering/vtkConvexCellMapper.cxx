@@ -156,7 +156,8 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   VolumePropertyReader reader(frame.Volume->GetProperty());
   const int components = (own ? own : choice.Array)->GetNumberOfComponents();
   const bool onePerCell = !own && choice.OnePerCell;
-  for (const std::string& text : reader.FindUnsupported(components, onePerCell, this->CanShade()))
+  for (const std::string& text :
+    reader.FindUnsupported(components, onePerCell, this->CanShade(), this->CanDepend()))
   {
     this->WarnOnce(text);
   }
@@ -166,7 +167,7 @@ bool vtkConvexCellMapper::PrepareScalars(CellProjectionFrame& frame)
   {
     return false;
   }
-  const ScalarSource source{ array, reader.ChooseComponent(components, this->CanShade()),
+  const ScalarSource source{ array, reader.ChooseComponent(components, this->CanDepend()),
     reader.FindLimits() };
   prepared.Array = array;
   if (prepared.ScalarsTime < prepared.CellsTime || prepared.ScalarsTime < array->GetMTime() ||

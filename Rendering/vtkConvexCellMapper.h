@@ -204,8 +204,10 @@ protected:
   virtual bool CanDrawBlendMode(int mode) const = 0;
   /// True where convex cells are to be cut into tetrahedra.
   virtual bool NeedsTetrahedra() const = 0;
-  /// True where Shade, gradient opacity and dependent components are drawn.
+  /// True where Shade and gradient opacity are drawn.
   virtual bool CanShade() const { return false; }
+  /// True where dependent components are drawn.
+  virtual bool CanDepend() const { return this->CanShade(); }
   /// Scalars that are not the input's, such as those of a texture; null: the input's.
   virtual vtkDataArray* GetOwnScalars() { return nullptr; }
   /// True where cells may keep what they were when their points were elsewhere (vtkConvexCells).

@@ -26,6 +26,7 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <set>
 
 namespace
 {
@@ -121,21 +122,27 @@ void CheckPlane(TestChecks& checks)
   Mesh mesh = TakeMesh(TestMeshes::Slab(size, counts), [](const double* p) { return p[2]; });
   IsoTriangles surface;
   surface.Cut(mesh.Corners, mesh.Scalars, { 0.05f, -0.21f });
-  surface.Move(mesh.Points);
+  surface.Move(mesh.Corners, mesh.Points);
   CHECK(surface.Surfaces.size() == 2 && surface.Surfaces[0].Value == -0.21f);
   CHECK_NEAR(AreaOf(surface), 2.0, 1e-6);
-  // The plane of a layer of points is there once, for the cells that rise from it are above it.
-  const float layer = mesh.Scalars[0];
-  surface.Cut(mesh.Corners, mesh.Scalars, { layer });
-  surface.Move(mesh.Points);
-  CHECK_NEAR(AreaOf(surface), 1.0, 1e-6);
+  // The plane of a layer of points is there once, also where cells lie on both sides.
+  const std::set<float> layers(mesh.Scalars.begin(), mesh.Scalars.end());
+  CHECK(layers.size() == 4);
+  for (const float layer : layers)
+  {
+    surface.Cut(mesh.Corners, mesh.Scalars, { layer });
+    surface.Move(mesh.Corners, mesh.Points);
+    CHECK_NEAR(AreaOf(surface), 1.0, 1e-6);
+    CHECK(surface.Triangles.size() == 3 * 2 * 5 * 4);
+    CHECK(surface.Vertices.size() == 4 * 6 * 5);
+  }
   mesh.Scalars[7] = std::numeric_limits<float>::quiet_NaN();
   surface.Cut(mesh.Corners, mesh.Scalars, { 0.05f });
   CHECK(surface.NumberOfInvalidCells > 0);
   const int used = surface.FindPoints(mesh.Scalars.size()).front();
   mesh.Points[4 * static_cast<size_t>(used)] = std::numeric_limits<float>::infinity();
-  surface.Move(mesh.Points);
-  CHECK(surface.NumberOfLostTriangles > 0);
+  surface.Move(mesh.Corners, mesh.Points);
+  CHECK(surface.NumberOfLostCells > 0);
   CHECK(std::isfinite(AreaOf(surface)));
 }
 
@@ -145,7 +152,7 @@ void CheckClosed(TestChecks& checks)
     [](const double* p) { return p[0] * p[0] + p[1] * p[1] + p[2] * p[2]; });
   IsoTriangles surface;
   surface.Cut(mesh.Corners, mesh.Scalars, { 0.16f });
-  surface.Move(mesh.Points);
+  surface.Move(mesh.Corners, mesh.Points);
   CHECK(surface.Triangles.size() > 600);
   CHECK(CountOpenEdges(surface) == 0);
   CHECK_NEAR(AreaOf(surface), 4.0 * std::acos(-1.0) * 0.16, 0.1);
