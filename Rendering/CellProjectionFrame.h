@@ -7,6 +7,7 @@
 
 #include <glm/vec4.hpp>
 
+#include <algorithm>
 #include <array>
 #include <vector>
 
@@ -42,6 +43,17 @@ struct CellProjectionFrame
   /// For Tiles: window depths of the image's pixels, row by row; empty where nothing opaque is there.
   std::vector<float> OpaqueDepths;
   FrameStatistics Statistics;
+
+  /// By so many pixels on each side.
+  void WidenBox(int by)
+  {
+    for (int k = 0; k < 2; ++k)
+    {
+      const int last = std::min(this->Box[k] + this->Box[k + 2] + by, this->Size[k]);
+      this->Box[k] = std::max(this->Box[k] - by, 0);
+      this->Box[k + 2] = last - this->Box[k];
+    }
+  }
 
   RasterView GetRasterView() const
   {

@@ -4,6 +4,8 @@
 #include "vtkConvexCellMapper.h"
 #include "vtkVolume.h"
 
+#include <cmath>
+
 //------------------------------------------------------------------------------
 double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame) const
 {
@@ -13,7 +15,8 @@ double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame
   }
   const ImageSampling::Limits limits{ this->MinimumImageSampleDistance,
     this->MaximumImageSampleDistance };
-  return this->Internal->Sampling.Choose(frame.Volume->GetAllocatedRenderTime(), limits);
+  const double pixels = static_cast<double>(frame.Size[0]) * frame.Size[1];
+  return this->Internal->Sampling.Choose(frame.Volume->GetAllocatedRenderTime(), pixels, limits);
 }
 
 //------------------------------------------------------------------------------
@@ -30,6 +33,7 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
     frame.OpaqueDepths = internal.Coarse.ReduceDepths(frame.OpaqueDepths);
     frame.ImageSize[0] = internal.Coarse.GetWidth();
     frame.ImageSize[1] = internal.Coarse.GetHeight();
+    frame.WidenBox(static_cast<int>(std::ceil(distance)));
   }
   const float* image = this->DrawTiles(frame);
   if (!frame.Window->IsCurrent())
@@ -44,12 +48,18 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-void vtkConvexCellMapper::RecordSampling(const CellProjectionFrame& frame)
+void vtkConvexCellMapper::RecordSampling(const CellProjectionFrame& frame, bool isDrawn)
 {
   const FrameStatistics& s = frame.Statistics;
-  if (frame.UsesTiles)
+  const double seconds = s.SecondsSort + s.SecondsProject + s.SecondsBlend;
+  const ImageSampling::Rays rays{ static_cast<double>(frame.Size[0]) * frame.Size[1],
+    s.ImageSampleDistance };
+  if (frame.UsesTiles && isDrawn)
   {
-    this->Internal->Sampling.Record(
-      s.ImageSampleDistance, s.SecondsSort + s.SecondsProject + s.SecondsBlend);
+    this->Internal->Sampling.Record(rays, seconds);
+  }
+  else if (frame.UsesTiles)
+  {
+    this->Internal->Sampling.RecordGivenUp(rays, seconds);
   }
 }

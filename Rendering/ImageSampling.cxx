@@ -10,12 +10,22 @@ namespace
 constexpr double StepsPerPixel = 4.0;
 // A frame that misses its time by less is left as fine as it is.
 constexpr double Slack = 1.1;
+// Who allots more does not wait for the picture to move: windows at rest allot thousands.
+constexpr double LongestOfMotion = 10.0;
 }
 
 //------------------------------------------------------------------------------
-double ImageSampling::Choose(double seconds, const Limits& limits) const
+void ImageSampling::RecordGivenUp(const Rays& rays, double seconds)
 {
-  const double ratio = this->FullSeconds / std::max(seconds, 1e-9);
+  // It would have taken longer.
+  this->SecondsPerRay = std::max(this->SecondsPerRay, PerRay(rays, seconds));
+}
+
+//------------------------------------------------------------------------------
+double ImageSampling::Choose(double seconds, double pixels, const Limits& limits) const
+{
+  const double wholeImage = seconds > LongestOfMotion ? 0.0 : this->SecondsPerRay * pixels;
+  const double ratio = wholeImage / std::max(seconds, 1e-9);
   const double wanted = ratio > Slack ? std::sqrt(ratio) : 1.0;
   const double stepped = std::ceil(StepsPerPixel * wanted) / StepsPerPixel;
   const double least = std::max(limits.Least, 1.0);

@@ -19,15 +19,29 @@ public:
     double Greatest = 10.0;
   };
 
-  /// Choice for a frame that may take `seconds`; before the first frame the least one.
-  double Choose(double seconds, const Limits& limits) const;
+  /// A frame's viewport of so many pixels, of which every `Distance`-th has a ray in x and in y.
+  struct Rays
+  {
+    double Pixels = 1.0;
+    double Distance = 1.0;
+  };
+
+  /// Choice for a frame that may take `seconds`; before the first frame, and where there is time as
+  /// at rest, the least one.
+  double Choose(double seconds, double pixels, const Limits& limits) const;
 
   /// Takes what a frame took.
-  void Record(double distance, double seconds) { this->FullSeconds = seconds * distance * distance; }
+  void Record(const Rays& rays, double seconds) { this->SecondsPerRay = PerRay(rays, seconds); }
+  /// Takes that a frame was given up after so long.
+  void RecordGivenUp(const Rays& rays, double seconds);
 
 private:
-  /// What all rays would take, 0 where it is not known.
-  double FullSeconds = 0.0;
+  static double PerRay(const Rays& rays, double seconds)
+  {
+    return seconds * rays.Distance * rays.Distance / rays.Pixels;
+  }
+  /// 0 where it is not known.
+  double SecondsPerRay = 0.0;
 };
 
 #endif

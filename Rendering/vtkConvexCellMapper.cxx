@@ -43,12 +43,14 @@ void vtkConvexCellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
     this->PrepareTransferFunction(frame);
     this->SortCells(frame);
     this->EndPreparation(frame);
-    if (this->Project(frame) && !this->DrawsIntoWindow())
+    const bool isDrawn = this->Project(frame);
+    if (isDrawn && !this->DrawsIntoWindow())
     {
       this->Blend(frame);
-      this->RecordSampling(frame);
     }
+    this->RecordSampling(frame, isDrawn);
   }
+  this->EndPreparation(frame);
   this->EndFrame(frame);
 }
 

@@ -31,8 +31,8 @@ struct PreparedVolume;
  * selection pass nothing is drawn. Several volumes are drawn one after the other: where they
  * overlap, the order of their cells is not that of the depths.
  *
- * Tiles ask the window's CheckAbortStatus while they draw, at least once per row of tiles: a frame
- * that is given up leaves no trace of the volume, in the window or in the frames after it.
+ * Tiles ask the window's CheckAbortStatus while they draw, before every tile of the calling thread: a
+ * frame that is given up leaves no trace of the volume, in the window or in the frames after it.
  *
  * A new mesh is prepared once, which takes seconds where it is large: ProgressEvents say how far that
  * is, GetProgress() goes from 0 to 1.
@@ -130,8 +130,8 @@ public:
   /**
    * Tiles draw coarser, down to MaximumImageSampleDistance, while the time that the renderer allots to
    * the volume (vtkRenderWindow::SetDesiredUpdateRate, which interactors set) is shorter than the last
-   * frames took: as vtkUnstructuredGridVolumeRayCastMapper does. At rest every pixel has its ray, as if
-   * nothing had moved. Raster is never coarser. Default: on.
+   * frames took: as vtkUnstructuredGridVolumeRayCastMapper does. At rest, where it
+   * allots more than ten seconds, every pixel has its ray. Raster is never coarser. Default: on.
    */
   vtkSetClampMacro(AutoAdjustSampleDistances, vtkTypeBool, 0, 1);
   vtkGetMacro(AutoAdjustSampleDistances, vtkTypeBool);
@@ -141,8 +141,8 @@ public:
   ///@{
   /**
    * Pixels from ray to ray in both directions: of every frame by Tiles where
-   * AutoAdjustSampleDistances is off. Between the rays the image is linear; beside opaque geometry it
-   * is that of the rays on the same side of its outline. Default: 1, and no less.
+   * AutoAdjustSampleDistances is off. Between the rays the image is linear; beside opaque geometry
+   * rays count by how near its window depth at them is to the pixel's. Default: 1, and no less.
    */
   vtkSetClampMacro(ImageSampleDistance, float, 1.0f, 100.0f);
   vtkGetMacro(ImageSampleDistance, float);
@@ -170,7 +170,8 @@ public:
    * (projected: tetrahedra where the method cuts cells up), CellsSkippedTransparent (likewise),
    * CellsSkippedInvalid (cells of the input that are no cells to draw, plus projected ones with a
    * scalar that is not finite), CellsSkippedOutside (worth drawing, but outside the viewport or behind
-   * a clipping plane or opaque geometry: found in runs, so that some cells there count as drawn),
+   * a clipping plane or opaque geometry, the near or the far plane: tetrahedra by Tiles alone, found
+   * in runs, so that some cells there count as drawn),
    * Cycles (groups of cells that hide each other in a circle), MisorderedFaces (where the mapper is
    * asked to count),
    * RepairedPixels, SecondsPrepare, SecondsSort, SecondsProject (until the driver is done),
@@ -275,7 +276,7 @@ private:
   bool Project(CellProjectionFrame& frame);
   bool ProjectByTiles(CellProjectionFrame& frame);
   double ChooseImageSampleDistance(CellProjectionFrame& frame) const;
-  void RecordSampling(const CellProjectionFrame& frame);
+  void RecordSampling(const CellProjectionFrame& frame, bool isDrawn);
   bool ProjectIntoTarget(CellProjectionFrame& frame);
   void Blend(CellProjectionFrame& frame);
   void EndFrame(CellProjectionFrame& frame);

@@ -62,6 +62,7 @@ void ConvexTileExactCell::AddFace(const ConvexTileMesh& mesh, int face, bool isI
     const glm::dvec3 inward = (isInward ? 1.0 : -1.0) * plane.Normals[n];
     (isValley ? this->Valleys : this->Planes)
       .push_back({ inward, glm::dot(inward, this->Center - anchor),
+        glm::dot(inward, NudgeDirection),
         static_cast<int>(this->Pieces.size()) });
   }
   this->AddPieces(mesh, face);
@@ -109,8 +110,7 @@ void ConvexTileExactCell::CutAtPlane(const Plane& plane, Passage& p)
   if (std::abs(slope) <= p.Parallel)
   {
     // A ray along a face counts as moved a little, all rays to the same side.
-    const double side =
-      std::abs(height) > Rounding ? height : glm::dot(plane.Normal, NudgeDirection);
+    const double side = std::abs(height) > Rounding ? height : plane.Nudge;
     p.Depths[1] = side < 0.0 ? -FarAway : p.Depths[1];
   }
   else if (slope > 0.0 && depth > p.Depths[0])

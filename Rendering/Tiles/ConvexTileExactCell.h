@@ -46,6 +46,8 @@ public:
   {
     glm::dvec3 Normal;
     double Offset;
+    /** To which side a ray along the plane counts as moved. */
+    double Nudge;
     int Piece;
   };
   /** See class FacePieces. */

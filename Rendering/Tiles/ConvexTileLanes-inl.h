@@ -1,8 +1,8 @@
 /**
  * What class ConvexTileExactCell finds for one ray, for the rays of a row of pixels at a time.
  *
- * Rays that run along a face, that see the face they cross edge-on, or that cross a face of more
- * than two triangles beyond its first two are left to that class: see Passage::Odd.
+ * Rays that see the face they cross edge-on, or that cross a face of more than two triangles beyond
+ * its first two, are left to that class: see LanePassage::Odd.
  */
 #if defined(ConvexTileLanes_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef ConvexTileLanes_inl_h
@@ -127,6 +127,7 @@ private:
       const Crossing at = this->CrossPlane(plane);
       this->Move(0, hn::And(at.Enters, hn::Lt(this->Depths[0], at.Depth)), at.Depth, plane.Piece);
       this->Move(1, hn::And(at.Leaves, hn::Lt(at.Depth, this->Depths[1])), at.Depth, plane.Piece);
+      this->Depths[1] = hn::IfThenElse(at.Misses, hn::Set(d, -FarAway), this->Depths[1]);
     }
     const std::vector<ConvexTileExactCell::Plane>& valleys = this->Cell.Valleys;
     // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
@@ -140,16 +141,21 @@ private:
   struct Crossing
   {
     LaneMask Enters, Leaves;
+    /// Along the plane, outside.
+    LaneMask Misses;
     LaneVector Depth;
   };
-  HWY_INLINE Crossing CrossPlane(const ConvexTileExactCell::Plane& plane)
+  HWY_INLINE Crossing CrossPlane(const ConvexTileExactCell::Plane& plane) const
   {
     const LaneDouble d;
     const auto slope = Dot(plane.Normal, this->Direction);
     const auto height = hn::Add(Dot(plane.Normal, this->Place), hn::Set(d, plane.Offset));
-    this->Odd = hn::Or(this->Odd, hn::Le(hn::Abs(slope), this->Parallel));
-    return { hn::Gt(slope, hn::Zero(d)), hn::Lt(slope, hn::Zero(d)),
-      hn::Neg(hn::Div(height, slope)) };
+    const auto along = hn::Le(hn::Abs(slope), this->Parallel);
+    const auto isClear = hn::Gt(hn::Abs(height), hn::Set(d, ConvexTileExactCell::Rounding));
+    const auto side = hn::IfThenElse(isClear, height, hn::Set(d, plane.Nudge));
+    const auto zero = hn::Zero(d);
+    return { hn::AndNot(along, hn::Gt(slope, zero)), hn::AndNot(along, hn::Lt(slope, zero)),
+      hn::And(along, hn::Lt(side, zero)), hn::Neg(hn::Div(height, slope)) };
   }
 
   HWY_INLINE void Move(int end, LaneMask which, LaneVector depth, int piece)
@@ -167,8 +173,12 @@ private:
     const auto none = hn::Set(d, FarAway);
     const auto enterA = hn::IfThenElse(a.Enters, a.Depth, hn::Neg(none));
     const auto enterB = hn::IfThenElse(b.Enters, b.Depth, hn::Neg(none));
-    const auto leaveA = hn::IfThenElse(a.Leaves, a.Depth, none);
-    const auto leaveB = hn::IfThenElse(b.Leaves, b.Depth, none);
+    auto leaveOf = [&](const Crossing& at)
+    {
+      return hn::IfThenElse(
+        at.Misses, hn::Neg(none), hn::IfThenElse(at.Leaves, at.Depth, none));
+    };
+    const auto leaveA = leaveOf(a), leaveB = leaveOf(b);
     const auto bothEnter = hn::And(a.Enters, b.Enters), anyEnters = hn::Or(a.Enters, b.Enters);
     const auto enter =
       hn::IfThenElse(bothEnter, hn::Min(enterA, enterB), hn::Max(enterA, enterB));

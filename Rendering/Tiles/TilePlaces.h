@@ -1,6 +1,7 @@
 /**
  * Where the cells of one tile are in its list: a table of the clusters that they belong to (class
- * TileClusters), so that it needs the memory of those alone.
+ * TileClusters), so that it needs the memory of those alone, and a
+ * number for each cluster of the mesh.
  */
 #ifndef TilePlaces_h
 #define TilePlaces_h

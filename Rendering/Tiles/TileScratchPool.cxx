@@ -44,7 +44,8 @@ std::size_t TileScratchPool::GetMemorySize() const
   for (const std::unique_ptr<TileScratch>& scratch : this->Free)
   {
     sum += scratch->Order.GetMemorySize() + scratch->Repair.GetMemorySize() +
-           scratch->Drawn.capacity() * sizeof(int);
+           scratch->Drawn.capacity() * sizeof(int) +
+           scratch->Boxes.capacity() * sizeof(std::uint32_t);
   }
   return sum;
 }

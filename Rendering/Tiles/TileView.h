@@ -40,7 +40,7 @@ public:
   /** u at a depth from the view's origin. */
   double ScreenDepth(double depth) const;
   /** 1 / (Terms[0] + Terms[1] * depth) + Terms[2] where InPerspective, else Terms[0] + Terms[1] *
-   *  depth: the same, for those who have many depths before the eye. */
+   *  depth: as ScreenDepth where that is before the eye, for those who have many depths. */
   struct DepthToScreen
   {
     std::array<double, 3> Terms;

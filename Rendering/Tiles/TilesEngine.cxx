@@ -202,8 +202,8 @@ bool TilesEngine::Project(const Scene& scene)
     [this](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch); });
   this->Counts = this->Scratch.CollectCounts();
   // Of a frame that was given up some tiles have put their lists in order, the others have not.
-  this->IsSorted = isDrawn;
-  this->IsBinned = this->IsBinned && isDrawn;
+  this->IsSorted = this->IsSorted || isDrawn;
+  this->IsBinned = this->IsBinned && this->IsSorted;
   return isDrawn;
 }
 

@@ -46,17 +46,28 @@ void CheckChoice(TestChecks& checks)
 {
   const ImageSampling::Limits limits;
   ImageSampling sampling;
-  CHECK(sampling.Choose(0.01, limits) == 1.0);
-  sampling.Record(1.0, 1.0);
-  CHECK(sampling.Choose(1e4, limits) == 1.0);
-  CHECK(sampling.Choose(1.0, limits) == 1.0);
-  CHECK(sampling.Choose(0.25, limits) == 2.0);
-  CHECK(sampling.Choose(1e-5, limits) == 10.0);
+  auto choose = [&](double seconds, double pixels = 1e4)
+  { return sampling.Choose(seconds, pixels, limits); };
+  CHECK(choose(0.01) == 1.0);
+  sampling.Record({ 1e4, 1.0 }, 1.0);
+  CHECK(choose(1e4) == 1.0);
+  CHECK(choose(1.0) == 1.0);
+  CHECK(choose(0.25) == 2.0);
+  CHECK(choose(1e-5) == 10.0);
   // The frame that was drawn so keeps its time: nothing changes.
-  sampling.Record(2.0, 0.25);
-  CHECK(sampling.Choose(0.25, limits) == 2.0);
-  CHECK(sampling.Choose(1e4, { 3.0, 5.0 }) == 3.0);
-  CHECK(sampling.Choose(1e-5, { 3.0, 5.0 }) == 5.0);
+  sampling.Record({ 1e4, 2.0 }, 0.25);
+  CHECK(choose(0.25) == 2.0);
+  // A viewport of a quarter of the pixels has time for all of them.
+  CHECK(choose(0.25, 2.5e3) == 1.0);
+  CHECK(sampling.Choose(1e4, 1e4, { 3.0, 5.0 }) == 3.0);
+  CHECK(sampling.Choose(1e-5, 1e4, { 3.0, 5.0 }) == 5.0);
+  // A frame that was given up early says nothing, one that took long already does.
+  sampling.RecordGivenUp({ 1e4, 1.0 }, 0.1);
+  CHECK(choose(0.25) == 2.0);
+  sampling.RecordGivenUp({ 1e4, 1.0 }, 4.0);
+  CHECK(choose(0.25) == 4.0);
+  // At rest, however slow the frames.
+  CHECK(choose(20.0, 1e8) == 1.0);
 }
 
 void CheckCoarse(TestChecks& checks, TestScene& scene)
