@@ -215,9 +215,8 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
 {
   if (!SceneView::SetRays(frame, this->Internal->Prepared.Coordinates))
   {
-    this->FailOnce(
+    return this->PassesWithout(
       "The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
-    return false;
   }
   this->WarnOnce(MapperMessages::ExcessPlanes(this->ClippingPlanes));
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);
