@@ -31,7 +31,7 @@ struct PreparedVolume;
  * selection pass nothing is drawn. Several volumes are drawn one after the other: where they
  * overlap, the order of their cells is not that of the depths.
  *
- * Tiles ask the window's CheckAbortStatus while they draw, before every tile of the calling thread: a
+ * Tiles ask the window's CheckAbortStatus at the start and before every tile of the calling thread: a
  * frame that is given up leaves no trace of the volume, in the window or in the frames after it.
  *
  * A new mesh is prepared once, which takes seconds where it is large: ProgressEvents say how far that

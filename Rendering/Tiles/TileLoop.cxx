@@ -46,6 +46,11 @@ bool TileLoop::Run(const std::vector<int>& tiles, int row, const AbortCheck& isA
   const int count = static_cast<int>(tiles.size());
   const bool callerWaits = std::strcmp(vtkSMPTools::GetBackend(), "STDThread") == 0;
   const int share = isAborted && callerWaits ? row : count;
+  // Other threads may take all tiles before the caller comes to its first.
+  if (answer.IsAborted())
+  {
+    return false;
+  }
   for (int first = 0; first < count; first += share)
   {
     const int end = std::min(first + share, count);

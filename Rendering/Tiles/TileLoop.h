@@ -1,9 +1,9 @@
 /**
  * Draws the tiles of a frame on all cores, unless the frame is given up.
  *
- * Whether it is given up is asked before every tile of the thread that called: a window may only be
- * asked from there. Where that thread does not work itself (vtkSMPTools' STDThread), it is asked
- * after as many tiles as are in a row.
+ * Whether it is given up is asked at the start and before every tile of the thread that called: a
+ * window may only be asked from there. Where that thread does not work itself (vtkSMPTools'
+ * STDThread), it is asked after as many tiles as are in a row.
  */
 #ifndef TileLoop_h
 #define TileLoop_h
