@@ -2,6 +2,7 @@
 
 #include "VTKVersions.h"
 #include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
@@ -126,6 +127,30 @@ void DepthLayers::SetUniforms(vtkShaderProgram* program)
 {
   program->SetUniformi("thisLayer", this->Layers[this->Newest].Depth->GetTextureUnit());
   program->SetUniformi("layerBehind", this->Layers[1 - this->Newest].Depth->GetTextureUnit());
+}
+
+//------------------------------------------------------------------------------
+void DepthLayers::DrawGroup(
+  const std::array<int, 4>& box, int cells, const Programs& programs, const Drawer& draw)
+{
+  const vtkOpenGLState::ScopedglEnableDisable scissorTest(
+    this->Window->GetState(), GL_SCISSOR_TEST);
+  const vtkOpenGLState::ScopedglScissor scissor(this->Window->GetState());
+  vtkOpenGLShaderCache* shaders = this->Window->GetShaderCache();
+  this->BeginGroup(box);
+  bool found = box[2] > 0 && box[3] > 0;
+  for (int layer = 0; found && layer <= cells; ++layer)
+  {
+    shaders->ReadyShaderProgram(programs.Search);
+    this->BeginSearch(programs.Search);
+    draw(programs.Search);
+    this->EndSearch();
+    // Drawn even where nothing was found: rounding may have left a cell between the two programs.
+    shaders->ReadyShaderProgram(programs.Layer);
+    this->SetUniforms(programs.Layer);
+    draw(programs.Layer);
+    found = this->WasAnyFound();
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -6,6 +6,7 @@
 #include "vtkTextureObject.h"
 
 #include <array>
+#include <functional>
 
 class vtkOpenGLRenderWindow;
 class vtkShaderProgram;
@@ -20,13 +21,6 @@ class vtkWindow;
  * and with the entry in a float target instead of a depth buffer. A search draws the cells' entries
  * that lie before the last layer's with MAX blending; what it found is the next layer. It takes as
  * many layers as cells lie behind one another at any pixel, and one more to find none.
- *
- *     layers.BeginGroup(box);
- *     for (bool found = true; found; found = layers.WasAnyFound())
- *     {
- *       layers.BeginSearch(search); draw the group; layers.EndSearch();
- *       layers.SetUniforms(colour); draw the group;
- *     }
  */
 class DepthLayers
 {
@@ -38,22 +32,30 @@ public:
   bool Begin(vtkOpenGLRenderWindow* window, int width, int height);
   void End();
 
-  /// Confines drawing to `box` (x, y, width, height in pixels); the scissor is the caller's to
-  /// restore.
-  void BeginGroup(const std::array<int, 4>& box);
+  /// One program writes entries before `layerBehind`, the other draws what begins at `thisLayer`.
+  struct Programs
+  {
+    vtkShaderProgram* Search = nullptr;
+    vtkShaderProgram* Layer = nullptr;
+  };
+  using Drawer = std::function<void(vtkShaderProgram* program)>;
 
+  /// Layer by layer, of no more than `cells` cells that `draw` draws with the program that is ready.
+  /// Confined to `box`: x, y, width, height in pixels.
+  void DrawGroup(
+    const std::array<int, 4>& box, int cells, const Programs& programs, const Drawer& draw);
+
+  void ReleaseGraphicsResources(vtkWindow* window);
+
+private:
+  void BeginGroup(const std::array<int, 4>& box);
   /// Between these, what is drawn goes to the next layer instead of the framebuffer bound before.
   void BeginSearch(vtkShaderProgram* program);
   void EndSearch();
   /// Whether the last search found anything at any pixel; waits for it.
   bool WasAnyFound();
-
   /// The layer found last and the one behind it, to the program in use.
   void SetUniforms(vtkShaderProgram* program);
-
-  void ReleaseGraphicsResources(vtkWindow* window);
-
-private:
   struct Layer
   {
     vtkNew<vtkOpenGLFramebufferObject> Framebuffer;

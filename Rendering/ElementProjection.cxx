@@ -11,7 +11,6 @@
 #include "cpElementSearch.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 #include "vtkTextureObject.h"
 
@@ -113,7 +112,7 @@ void ElementProjection::DrawRuns(vtkOpenGLRenderWindow* window, const View& view
   {
     if (run.IsCyclic)
     {
-      this->DrawGroup(window, view, run);
+      this->DrawGroup(view, run);
     }
     else
     {
@@ -124,28 +123,12 @@ void ElementProjection::DrawRuns(vtkOpenGLRenderWindow* window, const View& view
 }
 
 //------------------------------------------------------------------------------
-void ElementProjection::DrawGroup(
-  vtkOpenGLRenderWindow* window, const View& view, const DrawnCells::Run& run)
+void ElementProjection::DrawGroup(const View& view, const DrawnCells::Run& run)
 {
-  const vtkOpenGLState::ScopedglEnableDisable scissorTest(window->GetState(), GL_SCISSOR_TEST);
-  const vtkOpenGLState::ScopedglScissor scissor(window->GetState());
   const std::array<int, 4> box = ScreenBox::Around(*view.Points, *view.Corners,
     &view.Cells->Cells[run.First], run.Count, { view.Rays->MeshToClip, view.Width, view.Height });
-  vtkOpenGLShaderCache* shaders = window->GetShaderCache();
-  this->Layers.BeginGroup(box);
-  bool found = box[2] > 0 && box[3] > 0;
-  for (int layer = 0; found && layer <= run.Count; ++layer)
-  {
-    shaders->ReadyShaderProgram(this->Ready.Search);
-    this->Layers.BeginSearch(this->Ready.Search);
-    this->Vertices.DrawPart(run.First, run.Count, this->Ready.Search);
-    this->Layers.EndSearch();
-    // Drawn even where nothing was found: rounding may have left a cell between the two programs.
-    shaders->ReadyShaderProgram(this->Ready.Layer);
-    this->Layers.SetUniforms(this->Ready.Layer);
-    this->Vertices.DrawPart(run.First, run.Count, this->Ready.Layer);
-    found = this->Layers.WasAnyFound();
-  }
+  this->Layers.DrawGroup(box, run.Count, { this->Ready.Search, this->Ready.Layer },
+    [&](vtkShaderProgram* program) { this->Vertices.DrawPart(run.First, run.Count, program); });
 }
 
 //------------------------------------------------------------------------------

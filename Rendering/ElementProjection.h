@@ -54,7 +54,7 @@ private:
   bool Prepare(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers);
   void Activate(vtkOpenGLRenderWindow* window, const View& view, ElementBuffers& buffers);
   void DrawRuns(vtkOpenGLRenderWindow* window, const View& view);
-  void DrawGroup(vtkOpenGLRenderWindow* window, const View& view, const DrawnCells::Run& run);
+  void DrawGroup(const View& view, const DrawnCells::Run& run);
 
   ElementVertices Vertices;
   DepthLayers Layers;

@@ -122,7 +122,6 @@ void FloatTarget::Blend(
   state->vtkglEnable(GL_SCISSOR_TEST);
   state->vtkglScissor(origin[0] + box[0], origin[1] + box[1], box[2], box[3]);
   this->Quad->Render();
-  state->vtkglScissor(origin[0], origin[1], size[0], size[1]);
   this->Color->Deactivate();
 }
 

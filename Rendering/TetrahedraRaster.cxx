@@ -8,7 +8,6 @@
 #include "ViewRays.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
-#include "vtkOpenGLState.h"
 #include "vtkShaderProgram.h"
 
 #include CELLPROJECTION_OPENGL_HEADER
@@ -182,7 +181,7 @@ bool TetrahedraRaster::Draw(vtkOpenGLRenderWindow* window, const View& view)
   {
     if (run.IsCyclic)
     {
-      this->DrawGroup(window, run, view, programs);
+      this->DrawGroup(run, view, programs);
     }
     else
     {
@@ -210,28 +209,13 @@ void TetrahedraRaster::DrawRun(const DrawnCells::Run& run)
 }
 
 //------------------------------------------------------------------------------
-void TetrahedraRaster::DrawGroup(vtkOpenGLRenderWindow* window, const DrawnCells::Run& run,
-  const View& view, const Programs& programs)
+void TetrahedraRaster::DrawGroup(
+  const DrawnCells::Run& run, const View& view, const Programs& programs)
 {
-  const vtkOpenGLState::ScopedglEnableDisable scissorTest(window->GetState(), GL_SCISSOR_TEST);
-  const vtkOpenGLState::ScopedglScissor scissor(window->GetState());
   const std::array<int, 4> box = ScreenBox::Around(*view.Points, *view.Corners,
     &view.Cells->Cells[run.First], run.Count, { view.Rays->MeshToClip, view.Width, view.Height });
-  vtkOpenGLShaderCache* shaders = window->GetShaderCache();
-  this->Layers.BeginGroup(box);
-  bool found = box[2] > 0 && box[3] > 0;
-  for (int layer = 0; found && layer <= run.Count; ++layer)
-  {
-    shaders->ReadyShaderProgram(programs.Search);
-    this->Layers.BeginSearch(programs.Search);
-    this->DrawRun(run);
-    this->Layers.EndSearch();
-    // Drawn even where nothing was found: rounding may have left a cell between the two programs.
-    shaders->ReadyShaderProgram(programs.Layer);
-    this->Layers.SetUniforms(programs.Layer);
-    this->DrawRun(run);
-    found = this->Layers.WasAnyFound();
-  }
+  this->Layers.DrawGroup(box, run.Count, { programs.Search, programs.Layer },
+    [&](vtkShaderProgram*) { this->DrawRun(run); });
 }
 
 //------------------------------------------------------------------------------

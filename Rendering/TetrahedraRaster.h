@@ -88,8 +88,7 @@ private:
   bool BeginCells(vtkOpenGLRenderWindow* window, const View& view, Programs& programs);
   void EndCells(const View& view, const Programs& programs);
   void DrawRun(const DrawnCells::Run& run);
-  void DrawGroup(vtkOpenGLRenderWindow* window, const DrawnCells::Run& run, const View& view,
-    const Programs& programs);
+  void DrawGroup(const DrawnCells::Run& run, const View& view, const Programs& programs);
   void SetUniforms(vtkShaderProgram* program, const View& view);
   bool Check(const TextureBuffer& buffer, bool uploaded);
 

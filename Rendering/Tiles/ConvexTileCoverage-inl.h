@@ -281,8 +281,6 @@ inline LaneMask AppendLanes(const ConvexTileTask& task, const LanePassage& rays,
   int pixel, TileFragments& out)
 {
   const LaneDouble d;
-  const hn::Rebind<float, LaneDouble> df;
-  const hn::Rebind<std::int32_t, LaneDouble> di;
   const TileView& view = *task.Common.View;
   const TileView::DepthToScreen map = view.GetDepthToScreen();
   const auto reference = hn::Set(d, task.Rays->Reference);
@@ -292,18 +290,8 @@ inline LaneMask AppendLanes(const ConvexTileTask& task, const LanePassage& rays,
   const auto first = hn::MulAdd(scale, entry, offset), last = hn::MulAdd(scale, exit, offset);
   const auto isOne = hn::Ge(last, hn::Mul(hn::Set(d, ConvexTileCells::LeastShare), first));
   const auto kept = hn::And(which, hn::And(isOne, hn::Lt(exit, entry)));
-  std::uint8_t bits[8] = {};
-  hn::StoreMaskBits(d, kept, bits);
-  const auto lanes = hn::LoadMaskBits(df, bits);
-  const int at = out.Count;
-  auto store = [&](LaneVector value, float* to)
-  { hn::StoreU(hn::Compress(hn::DemoteTo(df, value), lanes), df, to + at); };
-  store(entry, out.Entry);
-  store(hn::Sub(entry, exit), out.Extent);
-  store(hn::Mul(rays.ScalarIn, first), out.ScalarIn);
-  store(hn::Mul(rays.ScalarOut, last), out.ScalarOut);
-  hn::StoreU(hn::Compress(Ramp(di, pixel), hn::RebindMask(di, lanes)), di, out.Pixel + at);
-  out.Count = at + static_cast<int>(hn::CountTrue(d, kept));
+  AppendExactLanes(kept, entry, exit, hn::Mul(rays.ScalarIn, first),
+    hn::Mul(rays.ScalarOut, last), pixel, out);
   return hn::AndNot(isOne, which);
 }
 

@@ -42,8 +42,8 @@ bool ConvexTilesFrame::SetView(const TileView::Camera& camera)
   }
   this->Rays.Build(camera);
   this->Vertices.Transform(this->Mesh.Points, this->View);
-  this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
-  this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->TilesX = TileSize::CountOf(this->View.Width);
+  this->TilesY = TileSize::CountOf(this->View.Height);
   this->SeenCamera = camera;
   this->HasView = true;
   return true;
@@ -73,22 +73,14 @@ void ConvexTilesFrame::SetCells(
 }
 
 //------------------------------------------------------------------------------
-TileRectangle ConvexTilesFrame::RectangleOf(int tile) const
-{
-  TileRectangle rectangle;
-  rectangle.Left = rectangle.FirstX = tile % this->TilesX * TileSize::Pixels;
-  rectangle.Bottom = rectangle.FirstY = tile / this->TilesX * TileSize::Pixels;
-  rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, this->View.Width) - 1;
-  rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, this->View.Height) - 1;
-  return rectangle;
-}
-
-//------------------------------------------------------------------------------
 bool ConvexTilesFrame::Draw(const TileLoop::AbortCheck& isAborted, const Drawer& draw)
 {
   const bool isDrawn = TileLoop::Run(this->Bins.GetHeaviestFirst(), this->TilesX, isAborted, this->Scratch,
     [&](int tile, TileScratch& scratch)
-    { draw(this->RectangleOf(tile), this->Bins.GetTile(tile), this->Bins.GetSize(tile), scratch); });
+    {
+      draw(TileRectangle::OfTile(tile, this->View.Width, this->View.Height),
+        this->Bins.GetTile(tile), this->Bins.GetSize(tile), scratch);
+    });
   this->Counts = this->Scratch.CollectCounts();
   return isDrawn;
 }

@@ -63,8 +63,6 @@ public:
   TileCounts Counts;
 
 private:
-  TileRectangle RectangleOf(int tile) const;
-
   ConvexTileRays Rays;
   TileVertices Vertices;
   ConvexTileFaces Faces;

@@ -22,6 +22,12 @@ constexpr int Pixels = 1 << Shift;
 /** Their numbers must fit a byte. */
 constexpr int LargestImage = 256 << Shift;
 
+/** Tiles in a row or column of so many pixels. */
+constexpr int CountOf(int pixels)
+{
+  return (pixels + Pixels - 1) >> Shift;
+}
+
 constexpr bool IsImage(int width, int height)
 {
   return width > 0 && height > 0 && width <= LargestImage && height <= LargestImage;

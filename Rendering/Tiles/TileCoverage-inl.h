@@ -221,15 +221,12 @@ inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const Til
 }
 
 /// Appends the lanes of `covered`; `pixel` is that of the first lane.
-inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered, ExactVector x,
-  double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+inline void AppendExactLanes(hn::Mask<ExactFloat> covered, ExactVector entry, ExactVector exit,
+  ExactVector scalarIn, ExactVector scalarOut, int pixel, TileFragments& out)
 {
   const ExactFloat d;
   const hn::Rebind<float, ExactFloat> df;
   const hn::Rebind<std::int32_t, ExactFloat> di;
-  const auto perU = hn::Set(d, cell.ScalarC);
-  const auto scalar = hn::MulAdd(
-    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
   const int at = out.Count;
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, covered, bits);
@@ -238,11 +235,23 @@ inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered,
   { hn::StoreU(hn::Compress(hn::DemoteTo(df, value), kept), df, to + at); };
   store(entry, out.Entry);
   store(hn::Sub(entry, exit), out.Extent);
-  store(hn::MulAdd(perU, entry, scalar), out.ScalarIn);
-  store(hn::MulAdd(perU, exit, scalar), out.ScalarOut);
+  store(scalarIn, out.ScalarIn);
+  store(scalarOut, out.ScalarOut);
   const auto pixels = hn::Compress(Ramp(di, pixel), hn::RebindMask(di, kept));
   hn::StoreU(pixels, di, out.Pixel + at);
   out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
+}
+
+/// The same of a tetrahedron.
+inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered, ExactVector x,
+  double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+{
+  const ExactFloat d;
+  const auto perU = hn::Set(d, cell.ScalarC);
+  const auto scalar = hn::MulAdd(
+    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
+  AppendExactLanes(covered, entry, exit, hn::MulAdd(perU, entry, scalar),
+    hn::MulAdd(perU, exit, scalar), pixel, out);
 }
 
 /// A cell in double: see class TileExactCell.

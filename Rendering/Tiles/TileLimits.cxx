@@ -75,8 +75,8 @@ void TileLimits::SetRow(const TileView& view, const float* opaqueDepth, int y)
 //------------------------------------------------------------------------------
 void TileLimits::FindTileFar(const TileView& view)
 {
-  this->Tiles[0] = (view.Width + TileSize::Pixels - 1) / TileSize::Pixels;
-  this->Tiles[1] = (view.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->Tiles[0] = TileSize::CountOf(view.Width);
+  this->Tiles[1] = TileSize::CountOf(view.Height);
   this->TileFar.assign(static_cast<std::size_t>(this->Tiles[0]) * this->Tiles[1], 1e30f);
   for (int y = 0; y < view.Height; ++y)
   {

@@ -4,10 +4,12 @@
 #ifndef TileTask_h
 #define TileTask_h
 
+#include "TileCells.h"
+
+#include <algorithm>
 #include <array>
 
 class TileCellFields;
-class TileCells;
 class TileLighting;
 class TileLimits;
 class TileMesh;
@@ -45,6 +47,18 @@ struct TileRectangle
   int Left = 0, Bottom = 0;
   /** First and last column and row to draw. */
   int FirstX = 0, FirstY = 0, LastX = -1, LastY = -1;
+
+  /** The tile of that number, row by row from the bottom, cut to the image. */
+  static TileRectangle OfTile(int tile, int width, int height)
+  {
+    const int inRow = TileSize::CountOf(width);
+    TileRectangle rectangle;
+    rectangle.Left = rectangle.FirstX = tile % inRow * TileSize::Pixels;
+    rectangle.Bottom = rectangle.FirstY = tile / inRow * TileSize::Pixels;
+    rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, width) - 1;
+    rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, height) - 1;
+    return rectangle;
+  }
 };
 
 /** What a tile counts. */

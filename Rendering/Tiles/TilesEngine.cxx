@@ -100,8 +100,8 @@ bool TilesEngine::SetView(const Scene& scene)
   {
     return false;
   }
-  this->TilesX = (this->View.Width + TileSize::Pixels - 1) / TileSize::Pixels;
-  this->TilesY = (this->View.Height + TileSize::Pixels - 1) / TileSize::Pixels;
+  this->TilesX = TileSize::CountOf(this->View.Width);
+  this->TilesY = TileSize::CountOf(this->View.Height);
   this->SeenCamera = scene.Camera;
   this->HasView = true;
   return true;
@@ -219,10 +219,7 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   }
   scratch.Drawn.clear();
   std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);
-  TileRectangle rectangle;
-  rectangle.Left = rectangle.FirstX = tile % this->TilesX * TileSize::Pixels;
-  rectangle.Bottom = rectangle.FirstY = tile / this->TilesX * TileSize::Pixels;
-  rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, this->View.Width) - 1;
-  rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, this->View.Height) - 1;
+  const TileRectangle rectangle =
+    TileRectangle::OfTile(tile, this->View.Width, this->View.Height);
   TileProjection::Draw(this->Task, rectangle, scratch);
 }
