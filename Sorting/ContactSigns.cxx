@@ -31,7 +31,7 @@ void ContactSigns::Build(const std::vector<double>& points,
   this->Points = &points;
   std::copy_n(center, 3, this->Center);
   this->Scale = size > 0.0 ? 1.0 / size : 1.0;
-  this->Signs.assign(contacts.size(), 0);
+  this->Signs.assign(contacts.size() + 1, 0);
   for (std::vector<float>& values : this->Planes)
   {
     values.resize(contacts.size());

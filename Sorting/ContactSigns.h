@@ -25,7 +25,7 @@ public:
   bool Update(const std::vector<CellComplex::Contact>& contacts, const double eye[4]);
 
   /** 1 where the eye lies on the side of the contact's first cell, -1 on the other, 0 in its
-   *  plane. */
+   *  plane; for the number after the last contact's 0: no contact. */
   signed char operator[](int contact) const { return this->Signs[contact]; }
 
 private:

@@ -11,7 +11,6 @@ namespace
 constexpr double Directions[SightHalves::NumberOfDirections][3] = { { 1, 0, 0 }, { 0, 1, 0 },
   { 0, 0, 1 }, { 1, 1, 0 }, { 1, -1, 0 }, { 1, 0, 1 }, { 1, 0, -1 }, { 0, 1, 1 }, { 0, 1, -1 },
   { 1, 1, 1 }, { 1, 1, -1 }, { 1, -1, 1 }, { -1, 1, 1 } };
-constexpr int FewLinks = 4;
 
 double CosineTo(const double direction[3], const double towards[3])
 {
@@ -28,6 +27,14 @@ void SightHalves::Build(const SignedLinks& links, const std::vector<double>& cen
   {
     halves.clear();
   }
+  this->OneHalf.clear();
+}
+
+//------------------------------------------------------------------------------
+const unsigned char* SightHalves::Undivided()
+{
+  this->OneHalf.assign(this->Centers->size() / 3, Positive - 1);
+  return this->OneHalf.data();
 }
 
 //------------------------------------------------------------------------------
@@ -82,8 +89,7 @@ void SightHalves::MarkOwnLinks(std::vector<unsigned char>& halves) const
       for (auto cell = static_cast<int>(begin); cell < end; ++cell)
       {
         const int first = this->Links->Begin(cell);
-        const int count = std::min(this->Links->End(cell) - first, FewLinks);
-        for (int i = 0; i < count; ++i)
+        for (int i = 0; i < SignedLinks::FewLinks; ++i)
         {
           const bool same = halves[cell] == halves[this->Links->GetNeighbor(first + i)];
           own[cell] |= static_cast<unsigned char>((same ? 1 : 0) << i);

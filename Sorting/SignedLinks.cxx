@@ -1,5 +1,6 @@
 #include "SignedLinks.h"
 
+#include <algorithm>
 #include <numeric>
 
 //------------------------------------------------------------------------------
@@ -11,15 +12,24 @@ void SignedLinks::Build(const std::vector<CellComplex::Contact>& contacts, int n
     ++this->Offsets[contact.Cells[0] + 1];
     ++this->Offsets[contact.Cells[1] + 1];
   }
+  std::transform(this->Offsets.begin() + 1, this->Offsets.end(), this->Offsets.begin() + 1,
+    [](int count) { return std::max(count, FewLinks); });
   std::partial_sum(this->Offsets.begin(), this->Offsets.end(), this->Offsets.begin());
+  this->Neighbors.resize(static_cast<size_t>(this->Offsets.back()));
+  this->ContactsAndSides.assign(this->Neighbors.size(), 2 * static_cast<int>(contacts.size()));
+  for (int cell = 0; cell < numberOfCells; ++cell)
+  {
+    std::fill_n(&this->Neighbors[this->Begin(cell)], this->End(cell) - this->Begin(cell), cell);
+  }
   std::vector<int> next = this->Offsets;
-  this->Links.resize(2 * contacts.size());
   for (int i = 0; i < static_cast<int>(contacts.size()); ++i)
   {
     for (int side = 0; side < 2; ++side)
     {
       const int cell = contacts[i].Cells[side];
-      this->Links[next[cell]++] = { contacts[i].Cells[1 - side], 2 * i + side };
+      const int link = next[cell]++;
+      this->Neighbors[link] = contacts[i].Cells[1 - side];
+      this->ContactsAndSides[link] = 2 * i + side;
     }
   }
 }

@@ -8,8 +8,6 @@
 
 namespace
 {
-// Of a tetrahedron.
-constexpr int FewLinks = 4;
 constexpr vtkIdType BlockSize = 8192;
 }
 
@@ -43,11 +41,8 @@ void TwoEndedSort::ForEachBlock(Work work)
       {
         this->Blocks[block].Far.clear();
         this->Blocks[block].Near.clear();
-        const vtkIdType last = std::min(cells, (block + 1) * BlockSize);
-        for (auto cell = static_cast<int>(block * BlockSize); cell < last; ++cell)
-        {
-          work(cell, this->Blocks[block]);
-        }
+        work(static_cast<int>(block * BlockSize),
+          static_cast<int>(std::min(cells, (block + 1) * BlockSize)), this->Blocks[block]);
       }
     });
 }
@@ -61,26 +56,35 @@ void TwoEndedSort::ChooseHalves(const double eye[4], bool centersFirst)
     towards[i] = eye[i] - eye[3] * this->Center[i];
   }
   // By centres all cells are the far half, and come from their farthest on.
-  this->Halves = centersFirst ? nullptr : this->Sight.Find(towards, this->FarSide);
+  this->FarSide = 0;
+  this->Halves =
+    centersFirst ? this->Sight.Undivided() : this->Sight.Find(towards, this->FarSide);
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::FindFewNext(int cell, int reversed, int listed)
+// From the first links of each cell, which are all that a tetrahedron has. Nothing is called in the
+// loop and nothing in it is to guess: this is much of the time that a frame takes.
+void TwoEndedSort::FindFewNext(int begin, int end)
 {
-  const int first = this->Links->Begin(cell);
-  const int last = this->Links->End(cell);
-  WaitingCell& own = this->Cells[cell];
-  int count = 0;
-  int before = 0;
-  for (int link = first; link < last; ++link, listed >>= 1)
+  const SignedLinks& links = *this->Links;
+  for (int cell = begin; cell < end; ++cell)
   {
-    const int across = this->Links->CompareAcross(link, reversed);
-    before += across < 0 ? 1 : 0;
-    // Written in any case, kept where it counts: no branch to guess.
-    own.Next[count] = this->Links->GetNeighbor(link);
-    count += (across > 0 ? 1 : 0) & listed;
+    const int first = links.Begin(cell);
+    const int reversed = this->IsFar(cell) ? 0 : 1;
+    const int listed = this->Halves[cell];
+    int next[SignedLinks::FewLinks + 1];
+    int count = 0;
+    int before = 0;
+    for (int i = 0; i < SignedLinks::FewLinks; ++i)
+    {
+      const int across = links.CompareAcross(first + i, reversed);
+      before += across < 0 ? 1 : 0;
+      // Written in any case, kept where it counts.
+      next[count] = links.GetNeighbor(first + i);
+      count += (across > 0 ? 1 : 0) & listed >> i;
+    }
+    this->Cells[cell] = { { next[0], next[1], next[2], before * WaitingCell::Unit + count } };
   }
-  own.State() = before * WaitingCell::Unit + count;
 }
 
 //------------------------------------------------------------------------------
@@ -112,33 +116,35 @@ WaitingCell TwoEndedSort::FindNext(int cell, int reversed, Predicate isListed, b
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::FindNextInHalf(int cell)
+// Of the cells that have more links, or release as many as all four.
+void TwoEndedSort::FindManyNext(int begin, int end)
 {
-  const bool far = this->IsFar(cell);
-  const int reversed = far ? 0 : 1;
-  if (this->Links->End(cell) - this->Links->Begin(cell) <= FewLinks)
+  for (int cell = begin; cell < end; ++cell)
   {
-    const int listed = this->Halves ? this->Halves[cell] : ~0;
-    this->FindFewNext(cell, reversed, listed);
-    if (this->Cells[cell].State() % WaitingCell::Unit < WaitingCell::LongList)
+    if (this->Links->End(cell) - this->Links->Begin(cell) > SignedLinks::FewLinks ||
+      this->Cells[cell].State() % WaitingCell::Unit == WaitingCell::LongList)
     {
-      return;
+      const bool far = this->IsFar(cell);
+      this->Cells[cell] = this->FindNext(
+        cell, far ? 0 : 1, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
     }
   }
-  this->Cells[cell] = this->FindNext(
-    cell, reversed, [&](int neighbor) { return this->IsFar(neighbor) == far; }, true);
 }
 
 //------------------------------------------------------------------------------
 void TwoEndedSort::FindNext()
 {
   this->ForEachBlock(
-    [this](int cell, Block& block)
+    [this](int begin, int end, Block& block)
     {
-      this->FindNextInHalf(cell);
-      if (!this->IsWaiting(cell))
+      this->FindFewNext(begin, end);
+      this->FindManyNext(begin, end);
+      for (int cell = begin; cell < end; ++cell)
       {
-        (this->IsFar(cell) ? block.Far : block.Near).push_back(cell);
+        if (!this->IsWaiting(cell))
+        {
+          (this->IsFar(cell) ? block.Far : block.Near).push_back(cell);
+        }
       }
     });
 }
@@ -194,11 +200,14 @@ void TwoEndedSort::Sort(const double eye[4], bool centersFirst)
 void TwoEndedSort::FindRest()
 {
   this->ForEachBlock(
-    [this](int cell, Block& block)
+    [this](int begin, int end, Block& block)
     {
-      if (this->IsWaiting(cell))
+      for (int cell = begin; cell < end; ++cell)
       {
-        block.Far.push_back(cell);
+        if (this->IsWaiting(cell))
+        {
+          block.Far.push_back(cell);
+        }
       }
     });
   this->Rest.clear();

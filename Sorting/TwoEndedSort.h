@@ -60,12 +60,12 @@ private:
   void ChooseHalves(const double eye[4], bool centersFirst);
   bool IsFar(int cell) const
   {
-    return !this->Halves || (this->Halves[cell] & SightHalves::Positive) == this->FarSide;
+    return (this->Halves[cell] & SightHalves::Positive) == this->FarSide;
   }
-  void FindFewNext(int cell, int reversed, int listed);
+  void FindFewNext(int begin, int end);
   template <class Predicate>
   WaitingCell FindNext(int cell, int reversed, Predicate isListed, bool countsAll);
-  void FindNextInHalf(int cell);
+  void FindManyNext(int begin, int end);
   void FindNext();
   void FindRest();
   void SortHalf(bool far, const double eye[4], bool centersFirst);
@@ -79,8 +79,7 @@ private:
   int NumberOfMeshCells = 0;
   SightHalves Sight;
 
-  // Per eye. Halves: null where all cells are the far half. LongLists: the neighbours that a cell
-  // with many releases, from its first link on.
+  // Per eye. LongLists: the neighbours that a cell with many releases, from its first link on.
   const unsigned char* Halves = nullptr;
   unsigned char FarSide = 0;
   std::vector<Block> Blocks;

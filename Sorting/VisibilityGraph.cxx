@@ -174,10 +174,13 @@ std::vector<std::pair<int, int>> VisibilityGraph::FindGapRelations(
     for (int link = this->Links.Begin(cell.first); link < this->Links.End(cell.first); ++link)
     {
       const int across = this->Links.CompareAcross(link);
-      const int* p = this->Contacts[this->Links.GetContact(link)].Points;
+      if (this->IsMeshCell(this->Links.GetNeighbor(link)) || across == 0)
+      {
+        continue;
+      }
       // A triangle may touch several imaginary cells.
-      if (!this->IsMeshCell(this->Links.GetNeighbor(link)) && across != 0 &&
-          seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
+      const int* p = this->Contacts[this->Links.GetContact(link)].Points;
+      if (seen.insert(std::array<int, 4>{ { p[0], p[1], p[2], cell.second } }).second)
       {
         (across > 0 ? far : near).push_back({ { p[0], p[1], p[2] }, cell.second });
       }
