@@ -4,9 +4,9 @@
 
 namespace
 {
-bool HasVolume(const double (*points)[3], double sign, int apex, int a, int b, int c)
+double SixVolumes(const double (*points)[3], double sign, int apex, int a, int b, int c)
 {
-  return sign * TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]) > 0.0;
+  return sign * TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]);
 }
 }
 
@@ -22,11 +22,14 @@ bool ConePlan::Make(const FaceTriangles& triangles, const double (*points)[3], d
   plan.Apex = apex;
   plan.ByFaces = true;
   plan.Folded = false;
+  plan.ButForFlat = false;
   plan.Dropped = 0;
   triangles.VisitCone(apex,
     [&](int a, int b, int c)
     {
-      const bool hasVolume = HasVolume(points, sign, apex, a, b, c);
+      const double volume = SixVolumes(points, sign, apex, a, b, c);
+      const bool hasVolume = volume > 0.0;
+      plan.ButForFlat = plan.ButForFlat || volume < 0.0;
       plan.Dropped += !hasVolume;
       cursor.Cell += hasVolume;
       cursor.Id += hasVolume ? 4 : 0;
@@ -41,7 +44,7 @@ void ConePlan::Write(const ConvexCellPlan& plan, const FaceTriangles& triangles,
   triangles.VisitCone(plan.Apex,
     [&](int a, int b, int c)
     {
-      if (HasVolume(points, sign, plan.Apex, a, b, c))
+      if (SixVolumes(points, sign, plan.Apex, a, b, c) > 0.0)
       {
         BeginConvexCell(VTK_TETRA, sourceCell, arrays, cursor);
         for (const int vertex : { plan.Apex, a, sign < 0.0 ? c : b, sign < 0.0 ? b : c })

@@ -166,7 +166,8 @@ ConvexCellPlan ConvexCellConversion::PlanLinearCell(
   return plan;
 }
 
-// Looks for a cut that drops nothing and keeps to the triangles of the faces; else `plan` stays.
+// Looks for a cut that drops nothing and keeps to the triangles of the faces; else `plan` stays, and
+// is a folded one where its fans are not these triangles.
 void ConvexCellConversion::PlanByFaces(vtkIdType cell, Shape shape, Scratch& scratch,
   ConvexCellPlan& plan, ConvexCellCursor& cursor)
 {
@@ -184,7 +185,7 @@ void ConvexCellConversion::PlanByFaces(vtkIdType cell, Shape shape, Scratch& scr
     TetrahedralSplit::ScaleIfExtreme(points, solid.NumberOfVertices);
     if (!plan.Star && !triangles.AreFans())
     {
-      ConePlan::Make(
+      plan.Folded = !ConePlan::Make(
         triangles, points, sign, plan, cursor, TetrahedralSplit::FlatnessTolerance);
     }
   }

@@ -76,6 +76,7 @@ void Unfold(Shape shape, const vtkIdType* ids, const double (*points)[3], Convex
   WeighPieces(pieces, ids, points, -1.0, other);
   plan.Apex = apex;
   plan.Kept = plan.Inverted ? other.Turned : other.Kept & ~other.Turned;
+  plan.ButForFlat = plan.Kept != other.Kept;
   plan.Turned = plan.Inverted ? other.Turned : 0;
   plan.Dropped = pieces.Count - static_cast<int>(std::bitset<32>(plan.Kept).count());
   plan.Folded = false;

@@ -39,6 +39,7 @@ struct ConvexCellPlan
   bool Thin = false;        // a piece so thin that a face's triangle may be flat
   bool ByFaces = false;     // cut along FaceTriangles, ConePlan
   bool Star = false;        // cut from a point within
+  bool ButForFlat = false;  // cut from a corner that does not see what is flat: that is dropped
   bool Replaced = false;    // curved, or next to a curved cell, and cut for that
   int Apex = -1;            // the corner that the tetrahedra share, where it is not the usual one
   int Dropped = 0;          // pieces without a volume

@@ -20,6 +20,7 @@ enum Why
   Curved,
   NextToCurved,
   Star,
+  ButForFlat,
   NonConvex,
   Folded,
   Degenerate,
@@ -30,6 +31,7 @@ constexpr int NumberOfWhys = Refused + ConvexCellPlan::Invalid + 1;
 
 constexpr const char* Texts[NumberOfWhys] = { "", "curved: follows the tolerance",
   "next to a curved cell that was cut", "no corner sees all: cut from a point within",
+  "no point sees all: what is flat is dropped",
   "not convex: cut from a corner", "folded: its tetrahedra overlap", "repeats a point or is flat",
   "cut into tetrahedra", "", "", "zero volume", "open surface", "several pieces",
   "concave: no point sees all of it", "wrong list of faces", "", "duplicate",
@@ -48,12 +50,13 @@ int WhyOf(const ConvexCellPlan& plan, int type)
     return AsItIs;
   }
   const bool isCurved = CurvedCell::TwinOf(type, twin);
-  return plan.Folded      ? Folded
-         : plan.Replaced  ? (isCurved ? Curved : NextToCurved)
-         : plan.Star      ? Star
-         : plan.NonConvex ? NonConvex
-         : plan.Dropped   ? Degenerate
-                          : Cut;
+  return plan.Folded       ? Folded
+         : plan.Replaced   ? (isCurved ? Curved : NextToCurved)
+         : plan.Star       ? Star
+         : plan.ButForFlat ? ButForFlat
+         : plan.NonConvex  ? NonConvex
+         : plan.Dropped    ? Degenerate
+                           : Cut;
 }
 
 struct Row

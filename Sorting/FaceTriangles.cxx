@@ -74,8 +74,11 @@ void FaceTriangles::Cut(const Loop& loop)
   const std::size_t from = std::max(start, 0);
   for (std::size_t i = 1; i + 1 < count; ++i)
   {
-    this->Triangles.push_back(
-      { loop[from], loop[(from + i) % count], loop[(from + i + 1) % count] });
+    const Triangle t = { loop[from], loop[(from + i) % count], loop[(from + i + 1) % count] };
+    if (!this->Touches({ t[1], t[2], t[2] }, t[0]))
+    {
+      this->Triangles.push_back(t);
+    }
   }
 }
 
@@ -106,8 +109,13 @@ bool FaceTriangles::IsStart(const Loop& loop, std::size_t start) const
   return is;
 }
 
+// One of two corners is none, where a face touches itself in a point.
 bool FaceTriangles::IsFlat(int a, int b, int c) const
 {
+  if (this->Touches({ b, c, c }, a))
+  {
+    return false;
+  }
   double u[3], v[3], w[3];
   vtkMath::Subtract(this->Points[b], this->Points[a], u);
   vtkMath::Subtract(this->Points[c], this->Points[b], v);
@@ -153,9 +161,11 @@ double FaceTriangles::AreaOf(const Triangle& t) const
   return vtkMath::Norm(cross);
 }
 
-bool FaceTriangles::SeesAll(int apex, double sign, double flat) const
+bool FaceTriangles::SeesAll(int apex, double sign, double flatness) const
 {
-  bool any = false;
+  const double flat =
+    flatness > 0.0 ? flatness * TetrahedralSplit::SizeOf(this->Points, this->NumberOfVertices) : 0.0;
+  double seen = 0.0, hidden = 0.0;
   for (const Triangle& t : this->Triangles)
   {
     if (this->Touches(t, apex))
@@ -169,24 +179,23 @@ bool FaceTriangles::SeesAll(int apex, double sign, double flat) const
     {
       return false;
     }
-    any = any || volume > 0.0;
+    seen += std::max(volume, 0.0);
+    hidden += std::max(-volume, 0.0);
   }
-  return any;
+  return seen > 0.0 && hidden <= flatness * seen;
 }
 
 int FaceTriangles::FindApex(double sign, double flatness) const
 {
-  const double flat =
-    flatness > 0.0 ? flatness * TetrahedralSplit::SizeOf(this->Points, this->NumberOfVertices) : 0.0;
   const auto smallest =
     static_cast<int>(std::min_element(this->Ids, this->Ids + this->NumberOfVertices) - this->Ids);
-  if (this->SeesAll(smallest, sign, flat))
+  if (this->SeesAll(smallest, sign, flatness))
   {
     return smallest;
   }
   for (int apex = 0; apex < this->NumberOfVertices; ++apex)
   {
-    if (this->SeesAll(apex, sign, flat))
+    if (this->SeesAll(apex, sign, flatness))
     {
       return apex;
     }

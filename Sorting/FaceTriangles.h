@@ -8,7 +8,8 @@
  * that leaves the smaller part largest, and so on. Nothing but the face's ids and coordinates
  * decides, in the order from the smallest id towards its smaller neighbour.
  *
- * Ids that a face repeats in a row are taken once; a face of fewer than three is none. Not
+ * Ids that a face repeats in a row are taken once; a face of fewer than three is none, and so is a
+ * triangle of two, where a face touches itself in a point. Not
  * guaranteed: triangles that turn alike where a face is not convex.
  */
 #ifndef FaceTriangles_h
@@ -68,7 +69,7 @@ private:
   bool IsStart(const Loop& loop, std::size_t start) const;
   std::size_t FindHalf(const Loop& loop) const;
   bool IsFlat(int a, int b, int c) const;
-  bool SeesAll(int apex, double sign, double flat) const;
+  bool SeesAll(int apex, double sign, double flatness) const;
   double AreaOf(const Triangle& t) const;
   bool Touches(const Triangle& t, int vertex) const
   {

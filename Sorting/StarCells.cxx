@@ -41,6 +41,7 @@ void StarCells::Try(vtkIdType cell, const TetrahedralSplit::Solid& solid, const 
   plan.Fate = ConvexCellPlan::Tetrahedra;
   plan.Star = true;
   plan.Folded = false;
+  plan.ButForFlat = false;
   plan.Dropped = 0;
   StarCell::VisitPieces(triangles, points, sign, star.Kernel,
     [&](int, int, int, bool hasVolume)

@@ -102,16 +102,18 @@ bool SeesAll(const Solid& solid, const vtkIdType* ids, const double (*points)[3]
   int apex, bool strict)
 {
   const double flat = FlatnessTolerance * SizeOf(points, solid.NumberOfVertices);
-  bool all = true, any = false;
+  double seen = 0.0, hidden = 0.0;
+  bool all = true;
   VisitCone(solid, ids, apex,
     [&](int face, int a, int b, int c)
     {
       const double volume = sign * SixVolumes(points[apex], points[a], points[b], points[c]);
       const bool behind = volume < 0.0 && -volume > flat * Area(points[a], points[b], points[c]);
       all = all && !behind && !(strict && solid.Touches(face, apex));
-      any = any || volume > 0.0;
+      seen += std::max(volume, 0.0);
+      hidden += std::max(-volume, 0.0);
     });
-  return all && any;
+  return all && seen > 0.0 && hidden <= FlatnessTolerance * seen;
 }
 }
 

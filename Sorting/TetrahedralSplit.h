@@ -119,7 +119,8 @@ void VisitCone(const Solid& solid, const vtkIdType* ids, int apex, Visit visit)
  * A vertex that sees the whole surface from inside, so that the cone from it is the cell; -1 where
  * there is none. First the vertex of smallest id, then those whose own faces fan from them or from
  * across, then all others. Tetrahedra of negative volume are allowed where their apex lies within
- * FlatnessTolerance of the plane of their triangle: they are to be dropped. `sign`: -1 where the
+ * FlatnessTolerance of the plane of their triangle, and all of them are no more of the cell: they are
+ * to be dropped. `sign`: -1 where the
  * cell is inside out.
  */
 int FindApex(

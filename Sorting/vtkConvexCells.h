@@ -28,10 +28,10 @@
  * another of its corners where one sees the whole surface, or else from a point within that does
  * (the centre of the largest ball between the planes of its faces' triangles; its data by mean value
  * coordinates); the triangles of its faces stay as they are. If there is none, a corner will do that
- * looks along faces within 1e-6 of the cell's size: what is so flat is dropped. If there is none
- * either, the cell is counted as folded and its tetrahedra, all turned positive, overlap; a
- * polyhedron is left out as concave instead. A face that is not convex must be seen whole from its
- * smallest id, too.
+ * looks along faces within 1e-6 of the cell's size: what is so flat, 1e-6 of the cell at most, is
+ * dropped, and GetReport() says so. If there is none either, the cell is counted as folded and its
+ * tetrahedra, all turned positive, overlap or leave the triangles of its faces; a polyhedron is left
+ * out as concave instead. A face that is not convex must be seen whole from its smallest id, too.
  *
  * Curved cells, which are the quadratic, Lagrange (of degree 10 at most) and Bezier ones: the
  * linear twin, of the same corners, is split as above; then edges of the tetrahedra that are off

@@ -22,9 +22,11 @@ using Ids = std::vector<vtkIdType>;
 
 // Of a cell of size 1.
 constexpr double Tolerance = 1e-10;
-// Of one whose volume is below this, a corner may see all but for what is as flat as the cell.
-constexpr double FlatCell = 1e-6;
-constexpr double ToleranceOfFlat = 1e-8;
+// How much of a cell may be dropped where the report says that it is flat.
+constexpr double FlatShare = 1e-6;
+// Of a thin cell that goes out whole: corners may lie outside the planes of its faces by so much.
+constexpr double ThinCell = 1e-6;
+constexpr double ToleranceOfPlanes = 1e-9;
 // Of a piece that is flat but for its last digits.
 constexpr double Rounding = 1e-15;
 
@@ -242,11 +244,12 @@ std::string CellAccount::WeighPieces(
 std::string CellAccount::CheckEntry(
   Entry& entry, const std::string& why, double volume, bool tetrahedraOnly)
 {
-  const std::string found = why + ", volume " + std::to_string(volume) + " for " +
-                            std::to_string(entry.Volume) + " of size " +
-                            std::to_string(entry.Size);
+  std::ostringstream text;
+  text.precision(12);
+  text << why << ", volume " << volume << " for " << entry.Volume << " of size " << entry.Size;
+  const std::string found = text.str();
   const bool isWhole = why.empty() || StartsWith(why, "cut into") ||
-                       StartsWith(why, "not convex") || StartsWith(why, "no corner") ||
+                       StartsWith(why, "not convex") || StartsWith(why, "no corner") || StartsWith(why, "no point sees all:") ||
                        StartsWith(why, "repeats");
   if (StartsWith(why, "a point that is not finite") == (entry.Finite || !entry.Listed))
   {
@@ -256,7 +259,10 @@ std::string CellAccount::CheckEntry(
   {
     return "nothing of it is there: " + found;
   }
-  const double tolerance = std::abs(entry.Volume) < FlatCell ? ToleranceOfFlat : Tolerance;
+  const double known = std::abs(entry.Volume);
+  const double tolerance = StartsWith(why, "no point sees all:") ? Tolerance + FlatShare * known
+    : why.empty() && known < ThinCell                            ? ToleranceOfPlanes
+                                                                 : Tolerance;
   // Of a face that runs back on itself the fan from the smallest id may be what no other cut replaces.
   const double off = std::abs(volume - std::abs(entry.Volume));
   const double offFan = entry.RunsBack ? std::abs(volume - std::abs(entry.FanVolume)) : off;
@@ -268,12 +274,13 @@ std::string CellAccount::CheckEntry(
   {
     return "it has a volume: " + found;
   }
-  if (StartsWith(why, "folded") && entry.HasSides && volume < std::abs(entry.Volume) - Tolerance)
+  const double least = std::min(std::abs(entry.Volume), std::abs(entry.FanVolume));
+  if (StartsWith(why, "folded") && entry.HasSides && volume < least - Tolerance)
   {
     return "too little of it: " + found;
   }
   entry.Made[tetrahedraOnly] = isWhole ? volume : why == "zero volume" ? 0.0 : -1.0;
-  const bool differ = entry.Made[0] >= 0.0 && entry.Made[1] >= 0.0 &&
+  const bool differ = !entry.HasSides && entry.Made[0] >= 0.0 && entry.Made[1] >= 0.0 &&
                       std::abs(entry.Made[0] - entry.Made[1]) > tolerance;
   return tetrahedraOnly && differ ? "not what the convex cells had: " + found : "";
 }

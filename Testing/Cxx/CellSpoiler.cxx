@@ -145,12 +145,14 @@ void CellSpoiler::SpoilPoints(Cell& cell)
       break;
     }
     case 2: // flat or thin
+    {
+      const double thickness = std::array<double, 4>{ 0.0, 1e-15, 1e-12, 1e-6 }[this->Index(4)];
       for (Point& x : cell.Points)
       {
-        const double thickness[] = { 0.0, 1e-15, 1e-12, 1e-6 };
-        x[axis] = 0.3 * x[(axis + 1) % 3] + thickness[count % 4] * x[axis];
+        x[axis] = 0.3 * x[(axis + 1) % 3] + thickness * x[axis];
       }
       break;
+    }
     case 3: // on a lattice
       for (Point& x : cell.Points)
       {

@@ -18,6 +18,12 @@ bool GoesOn(const Point& a, const Point& b, const Point& c)
   return std::atan2(std::sqrt(Dot(cross, cross)), Dot(u, v)) <= Straight;
 }
 
+// Not where a side touches itself: a triangle of two corners is none.
+bool IsFlat(const Point& a, const Point& b, const Point& c)
+{
+  return a != b && a != c && (GoesOn(a, b, c) || GoesOn(b, c, a) || GoesOn(c, a, b));
+}
+
 // To the smallest id from which no triangle of the fan is flat. False where there is none: then to
 // the smallest.
 bool StartFan(Ids& side, const Look& at)
@@ -31,8 +37,7 @@ bool StartFan(Ids& side, const Look& at)
     bool flat = tried == side.size();
     for (std::size_t i = 1; side.size() > 3 && i + 1 < side.size(); ++i)
     {
-      const Point a = at(side[0]), b = at(side[i]), c = at(side[i + 1]);
-      flat = flat || GoesOn(a, b, c) || GoesOn(b, c, a) || GoesOn(c, a, b);
+      flat = flat || IsFlat(at(side[0]), at(side[i]), at(side[i + 1]));
     }
     if (!flat)
     {

@@ -49,10 +49,58 @@ const Found All[] = {
       { -0.31615134810961476, -0.26193849592170193, -0.87312831974276472 },
       { -0.69156945059460939, -0.41390604395923952, -1.3796868131998135 } },
     -1 },
+  // Two corners across a face are one point: a triangle of its fan has two corners only.
+  { "faceThatTouchesItself", VTK_HEXAGONAL_PRISM,
+    { { 0, 0, 1 }, { -.6, .3, 1 }, { -.6, -.3, 1 }, { 0, 0, 1 }, { .6, -.3, 1.2 }, { .6, .3, 1 },
+      { .5, .866, 0 }, { -.5, .866, 0 }, { -1, 0, 0 }, { -.5, -.866, 0 }, { .5, -.866, 0 },
+      { 1, 0, 0 } },
+    -1 },
+  // A millionth as thick as wide, and tangled: what was dropped as flat was as much as the rest.
+  { "flatTangledHexahedron", VTK_HEXAHEDRON,
+    { { 0.30000099999999996, 1, -1 }, { 0.29999999999999999, 1, -2 },
+      { -9.9999999999999995e-07, -0, -0 }, { -0.29999900000000002, -1, 0 },
+      { -0.29999799999999999, -1, -1 }, { 0, 0, -4 }, { -0.60000100000000001, -2, -2 },
+      { -0.59999999999999998, -2, 0 } },
+    -1 },
+  // Such a face with three corners in a row: no cut keeps to the triangles, and it was not
+  // counted.
+  { "faceInARowThatTouchesItself", VTK_HEXAGONAL_PRISM,
+    { { -1, 2, -0 }, { -0, 2, -0 }, { 0, 1, -1 }, { 1, 0, -2 }, { 0, 1, -2 }, { -0, 1, -1 },
+      { -1, 1, 2 }, { -0, 0, 2 }, { 0, -0, 1 }, { 1, -1, 0 }, { 0, -1, 0 }, { 0, -1, 0 } },
+    -1 },
+  // No point sees all of it, a corner all but 3e-7, which was dropped without a word.
+  { "cornerOnAFace", VTK_PENTAGONAL_PRISM,
+    { { -0.64373110071383377, 0.061035139679106565, 0.93854944101026749 },
+      { -0.36782365313006765, 0.44392317085884692, 1.2002087623371722 },
+      { -0.22865404209741419, 0.15758386292718415, 0.86638814312651824 },
+      { -0.41855027752111634, -0.4022708981408617, 0.39841714291165087 },
+      { -0.67508233511319948, -0.46194198199901926, 0.44301473697092597 },
+      { -0.55580304427524685, 0.56883890847314389, 1.4491396844102875 },
+      { -0.27989559669148073, 0.95172693965288424, 1.7107990057371922 },
+      { -0.14072598565882727, 0.66538763172122151, 1.3769783865265381 },
+      { -0.33062222108252942, 0.10553287065317563, 0.90900738631167088 },
+      { -0.32682329320084891, 0.16890452766023933, 0.96905373425811325 } },
+    -1 },
 };
 
+// Of a straight cell, by the faces that VTK gives.
+void AddAsPolyhedron(vtkUnstructuredGrid* grid, int type, const std::vector<vtkIdType>& ids)
+{
+  auto alone = MakeGrid({});
+  alone->SetPoints(grid->GetPoints());
+  AddCell(alone, type, ids);
+  vtkCell* cell = alone->GetCell(0);
+  Faces faces;
+  for (int face = 0; face < cell->GetNumberOfFaces(); ++face)
+  {
+    vtkIdList* corners = cell->GetFace(face)->GetPointIds();
+    faces.emplace_back(corners->begin(), corners->end());
+  }
+  AddPolyhedron(grid, faces);
+}
+
 // Curved cells follow a scalar that no straight one has.
-void Check(const Found& found)
+void Check(const Found& found, bool asPolyhedron)
 {
   auto grid = MakeGrid(found.Points);
   std::vector<vtkIdType> ids;
@@ -63,12 +111,12 @@ void Check(const Found& found)
     ids.push_back(id);
     scalar->InsertNextValue(std::sin(3.0 * static_cast<double>(id)));
   }
-  AddCell(grid, found.Type, ids);
+  asPolyhedron ? AddAsPolyhedron(grid, found.Type, ids) : AddCell(grid, found.Type, ids);
   grid->GetPointData()->SetScalars(scalar);
   const std::string fault = CellFuzz::FindFault(grid);
   if (!CHECK_EQUAL(fault, std::string()))
   {
-    std::cerr << "  " << found.Name << "\n";
+    std::cerr << "  " << found.Name << (asPolyhedron ? " as a polyhedron\n" : "\n");
   }
   for (const bool tetrahedraOnly : { false, true })
   {
@@ -90,7 +138,12 @@ int TestConvexCellsFound(int, char*[])
 {
   for (const Found& found : All)
   {
-    Check(found);
+    Check(found, false);
+    if (found.Type == VTK_HEXAHEDRON || found.Type == VTK_WEDGE ||
+      found.Type == VTK_PENTAGONAL_PRISM || found.Type == VTK_HEXAGONAL_PRISM)
+    {
+      Check(found, true);
+    }
   }
   return Result();
 }
