@@ -12,10 +12,7 @@
 #include "cpIsoDepth.h"
 #include "cpIsoFragment.h"
 #include "cpIsoPoint.h"
-#include "cpLighting.h"
 #include "cpNoGradientOpacity.h"
-#include "cpNoLighting.h"
-#include "cpPointLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkOpenGLState.h"
@@ -33,16 +30,14 @@ constexpr int MaximumLayers = 64;
 
 std::string SurfaceSource(const ShadingBuffers& shading)
 {
-  const bool isLit = shading.IsLit();
-  const bool needsGradient = isLit || shading.HasGradientOpacity();
+  const bool needsGradient = shading.IsLit() || shading.HasGradientOpacity();
   std::string source = ElementShaders::WithElement(cpIsoFragment);
   vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", needsGradient ? std::string(cpElementGradient) + cpIsoPoint : "");
   vtkShaderProgram::Substitute(source, "//VTK::GradientOpacity::Dec",
     shading.HasGradientOpacity() ? cpGradientOpacity : cpNoGradientOpacity);
   vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Impl",
     needsGradient ? "beginIsoPoint(gradientOfElement(at + found.x * slope), base + found.x);" : "");
-  vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec",
-    isLit ? std::string(cpLighting) + cpPointLight : cpNoLighting);
+  vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec", shading.GetPointLightSource());
   return source;
 }
 }
@@ -149,6 +144,7 @@ void IsoRaster::DrawElements(vtkOpenGLRenderWindow* window, const View& view,
   if (needsGradient)
   {
     shading.Activate(this->Surfaces);
+    shading.ActivatePointLights(this->Surfaces);
   }
   this->Surfaces->SetUniform1fv(
     "isoValues", static_cast<int>(view.Values.size()), view.Values.data());

@@ -2,16 +2,15 @@
 
 #include "FrameStatistics.h"
 #include "IsoTriangles.h"
+#include "NumberedTriangles.h"
 #include "RayUniforms.h"
 #include "ShadingBuffers.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
 #include "cpIsoPoint.h"
 #include "cpIsoTriangleFragment.h"
+#include "cpIsoTriangleGradient.h"
 #include "cpIsoTriangleVertex.h"
-#include "cpLighting.h"
-#include "cpNoLighting.h"
-#include "cpPointLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLShaderCache.h"
 #include "vtkShaderProgram.h"
@@ -27,22 +26,22 @@ std::string VertexSource(bool isLit)
 {
   std::string source = cpIsoTriangleVertex;
   vtkShaderProgram::Substitute(
-    source, "//VTK::Gradient::Dec", isLit ? "out vec3 gradientVSOutput;" : "");
-  vtkShaderProgram::Substitute(source, "//VTK::Gradient::Impl",
-    isLit ? "gradientVSOutput = texelFetch(triangleGradients, gl_VertexID).xyz;" : "");
+    source, "//VTK::Gradient::Dec", isLit ? cpIsoTriangleGradient : "");
+  vtkShaderProgram::Substitute(
+    source, "//VTK::Gradient::Impl", isLit ? "takeGradient(ids.z);" : "");
   return source;
 }
 
-std::string FragmentSource(bool isLit)
+std::string FragmentSource(const ShadingBuffers& shading)
 {
+  const bool isLit = shading.IsLit();
   std::string source = cpIsoTriangleFragment;
   vtkShaderProgram::Substitute(
     source, "//VTK::Gradient::Dec", isLit ? "in vec3 gradientVSOutput;" : "");
   vtkShaderProgram::Substitute(source, "//VTK::IsoPoint::Dec", isLit ? cpIsoPoint : "");
   vtkShaderProgram::Substitute(
     source, "//VTK::IsoPoint::Impl", isLit ? "beginIsoPoint(gradientVSOutput, depth);" : "");
-  vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec",
-    isLit ? std::string(cpLighting) + cpPointLight : cpNoLighting);
+  vtkShaderProgram::Substitute(source, "//VTK::Lighting::Dec", shading.GetPointLightSource());
   return source;
 }
 }
@@ -65,24 +64,19 @@ bool IsoTriangleRaster::Send(vtkOpenGLRenderWindow* window, TextureBuffer& buffe
 bool IsoTriangleRaster::SendTriangles(
   vtkOpenGLRenderWindow* window, const IsoTriangles& triangles)
 {
-  // A shader cannot read them in threes.
-  std::vector<int> corners;
-  for (size_t i = 0; i < triangles.Triangles.size(); i += 3)
-  {
-    corners.insert(corners.end(), &triangles.Triangles[i], &triangles.Triangles[i] + 3);
-    corners.push_back(0);
-  }
+  const NumberedTriangles numbered(triangles.Triangles, triangles.Vertices.size() / 4);
   this->VertexArray.Bind();
   const bool isSent =
-    this->Indices->Upload(triangles.Triangles, vtkOpenGLBufferObject::ElementArrayBuffer);
+    this->Indices->Upload(numbered.Indices, vtkOpenGLBufferObject::ElementArrayBuffer);
   EmptyVertexArray::Release();
-  if (!isSent || !this->Corners.Upload(window, corners, 4))
+  if (!isSent || !this->Corners.Upload(window, numbered.Corners, 4))
   {
     this->Failure = isSent ? this->Corners.GetFailure() : "the driver refused the triangles";
     return false;
   }
   this->TrianglesUploaded.Modified();
-  this->UploadedBytes += sizeof(int) * (triangles.Triangles.size() + corners.size());
+  this->TriangleBytes = sizeof(int) * (numbered.Indices.size() + numbered.Corners.size());
+  this->UploadedBytes += this->TriangleBytes;
   return true;
 }
 
@@ -91,11 +85,13 @@ bool IsoTriangleRaster::Upload(vtkOpenGLRenderWindow* window, const Source& sour
 {
   FrameStatistics::Timer timer(this->UploadSeconds);
   const IsoTriangles& triangles = *source.Triangles;
-  this->NumberOfBytes =
-    sizeof(float) * (triangles.Vertices.size() + (isLit ? triangles.Gradients.size() : 0)) +
-    sizeof(int) * (7 * triangles.Triangles.size() / 3);
-  return (this->TrianglesUploaded > source.CutTime || this->SendTriangles(window, triangles)) &&
-         (this->VerticesUploaded > source.VerticesTime ||
+  if (this->TrianglesUploaded < source.CutTime && !this->SendTriangles(window, triangles))
+  {
+    return false;
+  }
+  this->NumberOfBytes = this->TriangleBytes +
+    sizeof(float) * (triangles.Vertices.size() + (isLit ? triangles.Gradients.size() : 0));
+  return (this->VerticesUploaded > source.VerticesTime ||
            this->Send(window, this->Vertices, triangles.Vertices, this->VerticesUploaded)) &&
          (!isLit || this->GradientsUploaded > source.GradientsTime ||
            this->Send(window, this->Gradients, triangles.Gradients, this->GradientsUploaded));
@@ -113,7 +109,7 @@ bool IsoTriangleRaster::Prepare(vtkOpenGLRenderWindow* window, const RasterView&
   {
     return false;
   }
-  const std::string fragment = RayUniforms::WithRay(FragmentSource(isLit), view);
+  const std::string fragment = RayUniforms::WithRay(FragmentSource(shading), view);
   this->Program = window->GetShaderCache()->ReadyShaderProgram(
     VertexSource(isLit).c_str(), fragment.c_str(), "");
   if (!this->Program || !this->Program->GetCompiled())
@@ -139,7 +135,7 @@ void IsoTriangleRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& vi
   if (shading.IsLit())
   {
     this->Gradients.Activate(this->Program, "triangleGradients");
-    shading.ActivateLights(this->Program);
+    shading.ActivatePointLights(this->Program);
   }
   glm::dvec4 meshToDepth = -glm::row(view.Rays->MeshToView, 2);
   meshToDepth.w -= view.Rays->Reference;
@@ -152,7 +148,6 @@ void IsoTriangleRaster::Draw(vtkOpenGLRenderWindow* window, const RasterView& vi
   {
     const IsoTriangles::Surface& surface = source.Triangles->Surfaces[i];
     this->Program->SetUniform3f("isoColour", glm::value_ptr(source.Colors[i]));
-    this->Program->SetUniformi("firstTriangle", static_cast<int>(surface.FirstTriangle));
     const size_t count = surface.EndTriangle - surface.FirstTriangle;
     glDrawElements(GL_TRIANGLES, static_cast<int>(3 * count), GL_UNSIGNED_INT,
       reinterpret_cast<const void*>(3 * sizeof(int) * surface.FirstTriangle));

@@ -67,6 +67,7 @@ private:
   vtkTimeStamp GradientsUploaded;
   EmptyVertexArray VertexArray;
   vtkShaderProgram* Program = nullptr;
+  size_t TriangleBytes = 0;
   size_t NumberOfBytes = 0;
   size_t UploadedBytes = 0;
   double UploadSeconds = 0.0;

@@ -59,6 +59,7 @@ list(APPEND sources
   Rendering/MeshExtent.cxx
   Rendering/NearPlaneCut.cxx
   Rendering/NumberedPoints.cxx
+  Rendering/NumberedTriangles.cxx
   Rendering/OpaqueDepth.cxx
   Rendering/PassTriangles.cxx
   Rendering/PolyhedraRaster.cxx

@@ -1,6 +1,10 @@
 #include "ShadingBuffers.h"
 
 #include "VolumeShading.h"
+#include "cpDistantLights.h"
+#include "cpLighting.h"
+#include "cpNoLighting.h"
+#include "cpPointLight.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkShaderProgram.h"
 
@@ -104,10 +108,12 @@ bool ShadingBuffers::UploadNodes(vtkOpenGLRenderWindow* window, const VolumeShad
 void ShadingBuffers::PackLights(const SceneLighting& lighting)
 {
   this->Lights.clear();
+  this->AreLightsDistant = true;
   for (const SceneLight& light : lighting.Lights)
   {
     const glm::vec3 place = light.IsPositional ? light.Position : -light.Direction;
     this->Lights.emplace_back(place, light.IsPositional ? 1.0f : 0.0f);
+    this->AreLightsDistant = this->AreLightsDistant && !light.IsPositional;
     this->Lights.emplace_back(light.Direction, light.ConeCosine);
     this->Lights.emplace_back(light.Attenuation, light.Exponent);
     this->Lights.emplace_back(light.Diffuse, 0.0f);
@@ -118,6 +124,22 @@ void ShadingBuffers::PackLights(const SceneLighting& lighting)
     glm::vec4(lighting.Ambient, lighting.Diffuse, lighting.Specular, lighting.Power);
   // A highlight of power p is about 1 / sqrt(p) wide.
   this->GreatestTurn = std::min(0.5f, 1.0f / std::sqrt(std::max(lighting.Power, 1.0f)));
+}
+
+//------------------------------------------------------------------------------
+std::string ShadingBuffers::GetPointLightSource() const
+{
+  if (!this->Lit)
+  {
+    return cpNoLighting;
+  }
+  if (!this->AreLightsDistant)
+  {
+    return std::string(cpLighting) + cpPointLight;
+  }
+  return "const int numberOfLights = " + std::to_string(this->Lights.size() / 5) +
+         ";\nconst bool hasHighlights = " + (this->Material.z > 0.0f ? "true" : "false") + ";\n" +
+         cpDistantLights;
 }
 
 //------------------------------------------------------------------------------
@@ -149,6 +171,34 @@ void ShadingBuffers::ActivateLights(vtkShaderProgram* program)
     {
       program->SetUniform4fv("lights", lights, glm::value_ptr(this->Lights[0]));
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+void ShadingBuffers::ActivatePointLights(vtkShaderProgram* program)
+{
+  if (!this->Lit || !this->AreLightsDistant)
+  {
+    this->ActivateLights(program);
+    return;
+  }
+  std::vector<glm::vec3> lights;
+  glm::vec3 ambient = this->AmbientLight;
+  for (size_t i = 0; i < this->Lights.size(); i += 5)
+  {
+    ambient += glm::vec3(this->Lights[i + 3]);
+    lights.emplace_back(this->Lights[i]);
+    lights.push_back(this->Material.y * glm::vec3(this->Lights[i + 3]));
+    lights.push_back(this->Material.z * glm::vec3(this->Lights[i + 4]));
+  }
+  ambient *= this->Material.x;
+  program->SetUniformMatrix3x3("gradientToView", glm::value_ptr(this->GradientToView));
+  program->SetUniform3f("distantAmbient", glm::value_ptr(ambient));
+  program->SetUniformf("distantPower", this->Material.w);
+  if (!lights.empty())
+  {
+    program->SetUniform3fv(
+      "distantLights", static_cast<int>(lights.size()), glm::value_ptr(lights[0]));
   }
 }
 

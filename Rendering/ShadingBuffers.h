@@ -34,10 +34,14 @@ public:
   bool IsLit() const { return this->Lit; }
   bool HasGradientOpacity() const { return this->NumberOfNodes > 0; }
   DependentColors::Kinds GetColors() const { return this->Colors; }
+  /// What shades a point: for as many lights as there are, with no more than they need.
+  std::string GetPointLightSource() const;
 
   void Activate(vtkShaderProgram* program);
   /// cpLighting.glsl alone, with what takes gradients to view coordinates.
   void ActivateLights(vtkShaderProgram* program);
+  /// For what GetPointLightSource gave, in the same way.
+  void ActivatePointLights(vtkShaderProgram* program);
   void Deactivate();
   void ReleaseGraphicsResources(vtkWindow* window);
   const std::string& GetFailure() const { return this->Failure; }
@@ -64,6 +68,7 @@ private:
   float GradientScale = 1.0f;
   float GreatestTurn = 1.0f;
   std::vector<glm::vec4> Lights;
+  bool AreLightsDistant = true;
   glm::vec3 AmbientLight{ 0.0f };
   glm::vec4 Material{ 0.0f };
   std::string Failure;

@@ -53,16 +53,14 @@ VertexGradients::Share VertexGradients::ShareOf(
 }
 
 //------------------------------------------------------------------------------
-template <class ShareOfCell>
-void VertexGradients::Gather(size_t point, const ShareOfCell& shareOf)
+void VertexGradients::Gather(size_t point, const int* begin, const int* end, const Share* shares)
 {
   glm::dvec3 gradient(0.0);
   double volume = 0.0;
-  for (size_t i = this->First[point]; i < this->First[point + 1]; ++i)
+  for (const int* cell = begin; cell != end; ++cell)
   {
-    const Share share = shareOf(this->Cells[i]);
-    gradient += glm::make_vec3(share.Gradient);
-    volume += share.Volume;
+    gradient += glm::make_vec3(shares[*cell].Gradient);
+    volume += shares[*cell].Volume;
   }
   const glm::vec3 mean(volume > 0.0 ? gradient / volume : glm::dvec3(0.0));
   std::copy_n(glm::value_ptr(mean), 3, &this->Values[4 * point]);
@@ -85,25 +83,62 @@ void VertexGradients::Build(const std::vector<float>& points, const std::vector<
   vtkSMPTools::For(0, static_cast<vtkIdType>(this->First.size()) - 1,
     [&](vtkIdType begin, vtkIdType end)
     {
+      const int* cells = this->Cells.data();
       for (vtkIdType point = begin; point < end; ++point)
       {
-        this->Gather(static_cast<size_t>(point), [&shares](int cell) { return shares[cell]; });
+        this->Gather(static_cast<size_t>(point), cells + this->First[point],
+          cells + this->First[point + 1], shares.data());
       }
     });
 }
 
 //------------------------------------------------------------------------------
-void VertexGradients::BuildAt(const std::vector<int>& wanted, const std::vector<float>& points,
-  const std::vector<int>& corners, const std::vector<float>& scalars)
+void VertexGradients::SetWanted(const std::vector<int>& wanted)
+{
+  this->WantedPoints = wanted;
+  this->WantedCells.clear();
+  this->WantedLinks.clear();
+  this->WantedFirst.assign(1, 0);
+  std::vector<int> numbers(this->Cells.size() / 4, -1);
+  for (const int point : wanted)
+  {
+    for (size_t i = this->First[point]; i < this->First[point + 1]; ++i)
+    {
+      int& number = numbers[this->Cells[i]];
+      if (number < 0)
+      {
+        number = static_cast<int>(this->WantedCells.size());
+        this->WantedCells.push_back(this->Cells[i]);
+      }
+      this->WantedLinks.push_back(number);
+    }
+    this->WantedFirst.push_back(this->WantedLinks.size());
+  }
+  this->WantedShares.resize(this->WantedCells.size());
+}
+
+//------------------------------------------------------------------------------
+void VertexGradients::BuildAt(const std::vector<float>& points, const std::vector<int>& corners,
+  const std::vector<float>& scalars)
 {
   this->Values.resize(4 * (this->First.size() - 1));
-  vtkSMPTools::For(0, static_cast<vtkIdType>(wanted.size()),
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->WantedCells.size()),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (vtkIdType i = begin; i < end; ++i)
       {
-        this->Gather(static_cast<size_t>(wanted[i]), [&](int cell)
-          { return ShareOf(points, &corners[4 * static_cast<size_t>(cell)], scalars.data()); });
+        const auto cell = static_cast<size_t>(this->WantedCells[i]);
+        this->WantedShares[i] = ShareOf(points, &corners[4 * cell], scalars.data());
+      }
+    });
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->WantedPoints.size()),
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      const int* links = this->WantedLinks.data();
+      for (vtkIdType i = begin; i < end; ++i)
+      {
+        this->Gather(static_cast<size_t>(this->WantedPoints[i]), links + this->WantedFirst[i],
+          links + this->WantedFirst[i + 1], this->WantedShares.data());
       }
     });
 }

@@ -25,9 +25,12 @@ public:
   void Build(const std::vector<float>& points, const std::vector<int>& corners,
     const std::vector<float>& scalars);
 
-  /// At these points alone; the others keep what they have.
-  void BuildAt(const std::vector<int>& wanted, const std::vector<float>& points,
-    const std::vector<int>& corners, const std::vector<float>& scalars);
+  /// The points that BuildAt is for; needed again after SetCells.
+  void SetWanted(const std::vector<int>& wanted);
+
+  /// At the wanted points alone; the others keep what they have.
+  void BuildAt(const std::vector<float>& points, const std::vector<int>& corners,
+    const std::vector<float>& scalars);
 
   /// Zero everywhere: what scalars that are constant in their cells have inside.
   void BuildZero();
@@ -42,13 +45,20 @@ private:
     double Volume;
   };
   static Share ShareOf(const std::vector<float>& points, const int* corners, const float* scalars);
-  /// `shareOf` a cell around the point.
-  template <class ShareOfCell>
-  void Gather(std::size_t point, const ShareOfCell& shareOf);
+  /// The mean of these shares for the point.
+  void Gather(std::size_t point, const int* begin, const int* end, const Share* shares);
 
   // The cells around point i: Cells[First[i]] up to Cells[First[i + 1]].
   std::vector<std::size_t> First;
   std::vector<int> Cells;
+
+  // The cells around any wanted point, each once; around wanted point i the ones at WantedLinks,
+  // which is as First has it.
+  std::vector<int> WantedPoints;
+  std::vector<int> WantedCells;
+  std::vector<std::size_t> WantedFirst;
+  std::vector<int> WantedLinks;
+  std::vector<Share> WantedShares;
 };
 
 #endif

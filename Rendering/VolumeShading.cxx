@@ -54,6 +54,11 @@ void VolumeShading::PrepareGradients(const PreparedVolume& prepared,
     this->Gradients.SetCells(corners, points.size() / 4);
     this->LinksTime.Modified();
   }
+  if (this->WantedPoints && this->WantedLinksTime < std::max(this->WantedTime, this->LinksTime))
+  {
+    this->Gradients.SetWanted(*this->WantedPoints);
+    this->WantedLinksTime.Modified();
+  }
   if (this->GradientsTime < this->LinksTime || this->GradientsTime < prepared.PointsTime ||
       this->GradientsTime < prepared.ScalarsTime || this->GradientsTime < this->WantedTime)
   {
@@ -63,7 +68,7 @@ void VolumeShading::PrepareGradients(const PreparedVolume& prepared,
     }
     else if (this->WantedPoints)
     {
-      this->Gradients.BuildAt(*this->WantedPoints, points, corners, prepared.Scalars.Values);
+      this->Gradients.BuildAt(points, corners, prepared.Scalars.Values);
     }
     else
     {

@@ -68,6 +68,7 @@ private:
   vtkTimeStamp LinksTime;
   const std::vector<int>* WantedPoints = nullptr;
   vtkTimeStamp WantedTime;
+  vtkTimeStamp WantedLinksTime;
   double GreatestGradient = 1.0;
 };
 

@@ -13,6 +13,7 @@ set(shaders
   cpCornerColours
   cpDepthLayer
   cpDirectColour
+  cpDistantLights
   cpElement
   cpElementCrossing
   cpElementGeometry
@@ -39,6 +40,7 @@ set(shaders
   cpIsoFragment
   cpIsoPoint
   cpIsoTriangleFragment
+  cpIsoTriangleGradient
   cpIsoTriangleVertex
   cpLayerSearchFragment
   cpLightSides

@@ -1,6 +1,7 @@
-// The gradient at a point of an element, from those of its corners.
+// The gradient at a point of an element, from those of its corners, in view coordinates.
 
 uniform samplerBuffer pointGradients; // mesh coordinates (class VertexGradients)
+uniform mat3 gradientToView;
 
 vec3 gradientOfElement(vec4 barycentric)
 {
@@ -9,5 +10,5 @@ vec3 gradientOfElement(vec4 barycentric)
   {
     gradient += barycentric[i] * texelFetch(pointGradients, elementIds[i]).xyz;
   }
-  return gradient;
+  return gradientToView * gradient;
 }

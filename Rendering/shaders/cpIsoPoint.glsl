@@ -1,7 +1,5 @@
 // A point on an iso-surface for cpLighting.glsl: a way of no length, view coordinates.
 
-uniform mat3 gradientToView;
-
 vec3 gradientEntry;
 const vec3 gradientRise = vec3(0.0);
 vec3 wayEntry;
@@ -13,10 +11,9 @@ vec3 gradientAt(float share)
   return gradientEntry;
 }
 
-// `gradient` in mesh coordinates.
 void beginIsoPoint(vec3 gradient, float depth)
 {
-  gradientEntry = gradientToView * gradient;
+  gradientEntry = gradient;
   vec2 step = gl_FragCoord.xy - rayPixel;
   vec4 view = rayView[0] + step.x * rayView[1] + step.y * rayView[2];
   vec3 direction = vec3(view.zw, -1.0);

@@ -1,6 +1,6 @@
 // Opaque iso-surfaces after a change: other values count other turned cells, lost cells are counted
-// once, fewer points after light, an upload that failed before, values that are not numbers; colours
-// by components are named.
+// once, fewer points after light, an upload that failed before, values that are not numbers, a light
+// that takes all lights' places into account; colours by components are named.
 
 #include "TestMeshes.h"
 #include "TestScene.h"
@@ -8,6 +8,7 @@
 
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
+#include "vtkLight.h"
 #include "vtkPointData.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
@@ -161,6 +162,49 @@ void CheckValues(TestChecks& checks)
   CHECK(TestScene::Difference(picture, scene.Mapper->GetCapturedImage()) == 0.0);
 }
 
+vtkSmartPointer<vtkLight> AddLight(TestScene& scene, double x, double red)
+{
+  auto light = vtkSmartPointer<vtkLight>::New();
+  light->SetLightTypeToSceneLight();
+  light->SetPosition(x, 1.0, 2.0);
+  light->SetColor(red, 0.5, 0.3);
+  scene.Renderer->AddLight(light);
+  return light;
+}
+
+// One light of no intensity at a place of its own: the image is that of lights far away.
+void CheckLights(TestChecks& checks)
+{
+  auto grid = TestMeshes::JitteredCube(6);
+  TestMeshes::SetField(grid, [](const double* p) { return p[0] * p[0] + p[1] * p[1] + p[2]; });
+  LayerScene scene(grid);
+  scene.Property->ShadeOn();
+  scene.Property->SetSpecular(0.5);
+  scene.Property->SetSpecularPower(7.5);
+  scene.Renderer->AutomaticLightCreationOff();
+  scene.Renderer->RemoveAllLights();
+  for (const double opacity : { 1.0, 0.5 })
+  {
+    scene.SetConstant(opacity);
+    scene.Renderer->RemoveAllLights();
+    scene.Render();
+    auto dark = scene.CopyCaptured();
+    AddLight(scene, 0.5, 0.9);
+    AddLight(scene, -1.0, 0.2);
+    scene.Render();
+    auto distant = scene.CopyCaptured();
+    CHECK(TestScene::Difference(dark, distant) > 0.1);
+    auto placed = AddLight(scene, 0.0, 1.0);
+    placed->PositionalOn();
+    placed->SetIntensity(0.0);
+    scene.Render();
+    CHECK_AT_MOST(TestScene::Difference(distant, scene.Mapper->GetCapturedImage()), 1e-5);
+    placed->SetIntensity(0.5);
+    scene.Render();
+    CHECK(TestScene::Difference(distant, scene.Mapper->GetCapturedImage()) > 0.01);
+  }
+}
+
 // Triangles have uploads of their own: neither the failure nor the time is that of an earlier frame.
 void CheckUploads(TestChecks& checks)
 {
@@ -199,5 +243,6 @@ int TestIsoChanges(int, char*[])
   CheckComponents(checks);
   CheckValues(checks);
   CheckUploads(checks);
+  CheckLights(checks);
   return checks.Result();
 }

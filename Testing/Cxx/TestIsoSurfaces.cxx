@@ -1,6 +1,6 @@
 // Iso-surfaces of the squared radius over a lattice: depth in the window is that of the contour of
-// the same tetrahedra within 1e-5 of the mesh's size, silhouettes within a 64th of a pixel; normals
-// within 2 degrees of the sphere's; several translucent ones add up in their order; a gradient
+// the same tetrahedra within 1e-5 of the mesh's size, and in the same pixels; normals within 2
+// degrees of the sphere's; several translucent ones add up in their order; a gradient
 // opacity takes its part.
 
 #include "TestMeshes.h"
@@ -20,7 +20,8 @@
 namespace
 {
 constexpr int Size = 64;
-constexpr double Near = 1.2, Far = 3.2, Scale = 0.6, Eye = 2.0;
+// At this scale no pixel has its centre on the silhouette.
+constexpr double Near = 1.2, Far = 3.2, Scale = 0.61, Eye = 2.0;
 
 double SquaredRadius(const double p[3])
 {
@@ -94,15 +95,6 @@ public:
     z = point[2];
     return hits;
   }
-  /// Whether the silhouette is within a 64th of a pixel.
-  bool IsNearSilhouette(double x, double y)
-  {
-    const double step = Scale * 2.0 / Size / 64.0;
-    double z;
-    const bool here = this->Hits(x, y, z);
-    return this->Hits(x + step, y, z) != here || this->Hits(x - step, y, z) != here ||
-           this->Hits(x, y + step, z) != here || this->Hits(x, y - step, z) != here;
-  }
 
 private:
   vtkNew<vtkCellLocator> Locator;
@@ -114,7 +106,7 @@ void CheckDepth(TestChecks& checks, IsoScene& scene)
   vtkNew<vtkFloatArray> depths;
   scene.Window->GetZbufferData(0, 0, Size - 1, Size - 1, depths);
   ContourRays rays(scene.Mapper->GetInput());
-  int covered = 0, silhouettes = 0, close = 0;
+  int covered = 0, silhouettes = 0;
   double largest = 0.0;
   for (int pixel = 0; pixel < Size * Size; ++pixel)
   {
@@ -122,9 +114,7 @@ void CheckDepth(TestChecks& checks, IsoScene& scene)
     double z;
     const bool isHit = rays.Hits(x, y, z);
     const double depth = depths->GetValue(pixel);
-    const bool isClose = rays.IsNearSilhouette(x, y);
-    close += isClose ? 1 : 0;
-    silhouettes += isHit != (depth < 1.0) && !isClose ? 1 : 0;
+    silhouettes += isHit != (depth < 1.0) ? 1 : 0;
     if (isHit && depth < 1.0)
     {
       ++covered;
@@ -132,11 +122,10 @@ void CheckDepth(TestChecks& checks, IsoScene& scene)
     }
   }
   std::cout << covered << " pixels, largest error of depth " << largest << ", " << silhouettes
-            << " pixels differ at the silhouette, which " << close << " are too close to\n";
+            << " pixels differ at the silhouette\n";
   CHECK_AT_MOST(1000, covered);
   CHECK_AT_MOST(largest, 1e-5);
   CHECK(silhouettes == 0);
-  CHECK_AT_MOST(close, 16);
 }
 
 // Three directional lights, one after the other: each leaves a component of the normal.

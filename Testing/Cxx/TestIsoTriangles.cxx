@@ -1,8 +1,9 @@
 // The triangles of opaque iso-surfaces: a plane's have its area and no crack, a face on the value
-// counts once, what is not a number is left out. Drawn, they give the image of the surfaces found
+// counts once, what is not a number is left out, each has a vertex of its own number. Drawn, they give the image of the surfaces found
 // ray by ray in the cells, straight into the window as through the captured image.
 
 #include "IsoTriangles.h"
+#include "NumberedTriangles.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
 #include "vtkBarycentricShellMapper.h"
@@ -146,6 +147,35 @@ void CheckPlane(TestChecks& checks)
   CHECK(std::isfinite(AreaOf(surface)));
 }
 
+// The same triangles, turned at most; the last vertex of each has its number.
+void CheckNumbers(TestChecks& checks, const IsoTriangles& surface)
+{
+  const size_t vertices = surface.Vertices.size() / 4;
+  const NumberedTriangles numbered(surface.Triangles, vertices);
+  CHECK(numbered.Indices.size() == surface.Triangles.size());
+  int wrong = 0;
+  std::set<int> used;
+  for (size_t i = 0; i < surface.Triangles.size(); i += 3)
+  {
+    const int* ids = &numbered.Indices[i];
+    const std::array<int, 3> corners{ numbered.Corners[4 * ids[0] + 2],
+      numbered.Corners[4 * ids[1] + 2], numbered.Corners[4 * ids[2] + 2] };
+    wrong += ids[2] == static_cast<int>(i / 3) ? 0 : 1;
+    wrong += std::equal(corners.begin(), corners.end(), &numbered.Corners[4 * i / 3]) ? 0 : 1;
+    const auto turned =
+      std::search_n(corners.begin(), corners.end(), 1, surface.Triangles[i]) - corners.begin();
+    for (size_t k = 0; k < 3; ++k)
+    {
+      wrong += corners[(turned + k) % 3] == surface.Triangles[i + k] ? 0 : 1;
+    }
+    used.insert(corners.begin(), corners.end());
+  }
+  CHECK(wrong == 0);
+  CHECK(used.size() == vertices);
+  // There are half as many vertices as triangles: few numbers beyond those go to waste.
+  CHECK_AT_MOST(numbered.Corners.size() / 4, surface.Triangles.size() / 3 + vertices / 20);
+}
+
 void CheckClosed(TestChecks& checks)
 {
   const Mesh mesh = TakeMesh(TestMeshes::JitteredCube(8),
@@ -155,6 +185,7 @@ void CheckClosed(TestChecks& checks)
   surface.Move(mesh.Corners, mesh.Points);
   CHECK(surface.Triangles.size() > 600);
   CHECK(CountOpenEdges(surface) == 0);
+  CheckNumbers(checks, surface);
   CHECK_NEAR(AreaOf(surface), 4.0 * std::acos(-1.0) * 0.16, 0.1);
   const std::vector<int> points = surface.FindPoints(mesh.Scalars.size());
   CHECK(std::is_sorted(points.begin(), points.end()));
