@@ -32,7 +32,9 @@ public:
 
   ShellPlan Plan;
   ShellRaster Shells;
+  // Of the last frame.
   vtkIdType TargetBytes = 0;
+  bool IsInShells = false;
   const std::vector<MeshBlock>* Blocks = nullptr;
 
   vtkSmartPointer<vtkVisibilitySort> Sort;
@@ -63,6 +65,7 @@ public:
     this->TargetBytes = static_cast<vtkIdType>(sizeof(float)) * 2 * this->Plan.SamplesPerShell *
                         frame.Size[0] * frame.Size[1];
     const bool drawn = this->Shells.Draw(frame.Window, view, this->Buffers);
+    this->IsInShells = drawn;
     failure = drawn ? "" : this->Shells.GetFailure();
     return drawn;
   }

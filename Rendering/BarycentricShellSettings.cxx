@@ -102,13 +102,13 @@ vtkImageData* vtkBarycentricShellMapper::GetVolumeTexture()
 //------------------------------------------------------------------------------
 vtkIdType vtkBarycentricShellMapper::GetNumberOfElementsDrawn() const
 {
-  return this->Internal->Shells.GetNumberOfElements();
+  return this->Internal->IsInShells ? this->Internal->Shells.GetNumberOfElements() : 0;
 }
 
 //------------------------------------------------------------------------------
 int vtkBarycentricShellMapper::GetNumberOfShells() const
 {
-  return this->Internal->Shells.GetNumberOfShells();
+  return this->Internal->IsInShells ? this->Internal->Shells.GetNumberOfShells() : 0;
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +123,7 @@ vtkIdType vtkBarycentricShellMapper::GetMeshBytes() const
 //------------------------------------------------------------------------------
 vtkIdType vtkBarycentricShellMapper::GetTargetBytes() const
 {
-  return this->Internal->TargetBytes;
+  return this->Internal->IsInShells ? this->Internal->TargetBytes : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ const char* vtkBarycentricShellMapper::GetMethodName() const
 void vtkBarycentricShellMapper::Render(vtkRenderer* renderer, vtkVolume* volume)
 {
   Internals& internal = *this->Internal;
-  internal.HasSurfaces = false;
+  internal.HasSurfaces = internal.IsInShells = false;
   if (internal.Texture && !this->CheckTexture())
   {
     return;

@@ -18,11 +18,18 @@ class vtkVisibilitySort;
  * order, each sampled on the slices of the shell in its own barycentric coordinates, and the
  * samples are classified and composited. The GPU holds points and scalars only.
  *
- * With Integration Point the image is a sum over slices: its error is of first order in the
- * distance between them. PreIntegrated takes the exact integral between neighbouring slices, from
- * and to where the mesh begins and ends, as if the scalar were linear between: second order. A ray
- * that leaves the mesh and enters it again within two slices may be off by one of them, and the
- * greatest scalar counts where cells overlap.
+ * With Integration Point the image is a sum over slices, each of which stands for a whole step: its
+ * error is of first order in the distance between them, that of up to half a step where a ray enters
+ * and leaves the mesh, and no placing of the slices makes it less. PreIntegrated takes the exact
+ * integral between neighbouring slices, from and to where the mesh begins and ends, as if the scalar
+ * were linear between: second order. A ray that leaves the mesh and enters it again within two
+ * slices may be off by one of them, and the greatest scalar counts where cells overlap. Against the
+ * exact integral, for optical depths of up to 3.5 and up to 20 along the mesh's diagonal:
+ *
+ *     samples per ray         RMSE              largest error
+ *     Point            600    8e-4, 1.6e-3      5e-3, 1.6e-2
+ *     Point           1200    4e-4, 8e-4        2e-3, 6e-3
+ *     PreIntegrated    600    8e-6, 2e-5        1e-4, 3e-4
  *
  * Cells that hide each other in a circle, concave meshes and gaps need nothing special. Where
  * points alone move, points alone are sent to the GPU: cells stay as they were first cut up
@@ -32,9 +39,12 @@ class vtkVisibilitySort;
  * IsoSurfaceValues, found exactly in every cell, with the colour and the ScalarOpacity of their
  * value (no unit distance), in any number and order. With Shade on they are lit by all lights, with
  * normals from gradients at the points. The nearest surface writes its depth to the window where
- * its opacity is 1. A gradient opacity takes its part of each point's. Where all of them are opaque, they
- * are drawn as triangles, made on all threads where scalars change; where points move, only the
+ * its opacity is 1. A gradient opacity takes its part of each point's. Where all of them are opaque,
+ * they are drawn as triangles, made on all threads where scalars change; where points move, only the
  * triangles' vertices move. Unless an image is captured, they go straight into the window.
+ *
+ * One component is drawn, the colour function's (SetVectorModeToComponent) or the magnitude:
+ * dependent components (IndependentComponentsOff) are named by one warning, for surfaces too.
  *
  * @sa vtkConvexCellMapper for what is honoured and reported.
  */
@@ -117,8 +127,9 @@ public:
    * An image that is bound to the mesh: the scalar at a sample is the image's at the texture
    * coordinates there, three for each point (SetTCoords of the input's point data), linear in each
    * tetrahedron; 0 and 1 are the image's first and last points. The coordinates stay where points
-   * move. The scalars of the mesh play no role, and all cells are drawn. Not for iso-surfaces, and
-   * CellProjection takes it at entry and exit alone. Default: null.
+   * move. The scalars of the mesh play no role, and all cells are drawn. Iso-surfaces of an image,
+   * which is not linear in a cell, are refused with an error: give the points scalars for them
+   * (vtkProbeFilter). CellProjection takes the image at entry and exit alone. Default: null.
    */
   virtual void SetVolumeTexture(vtkImageData* image);
   vtkImageData* GetVolumeTexture();
@@ -136,11 +147,12 @@ public:
 
   ///@{
   /**
-   * About the last frame: how many tetrahedra were drawn, each counted once per shell that it
-   * overlaps; how many shells there were until all pixels were opaque; how many tetrahedra moved
-   * points have turned inside out since they got their cells (they are drawn as they are; among the
-   * cells that opaque iso-surfaces cut, those alone); bytes of points and scalars, or of triangles,
-   * and of the shell's targets on the GPU, and what was sent of the former.
+   * About the last frame: how many tetrahedra were drawn in shells, each counted once per shell that
+   * it overlaps; how many shells there were until all pixels were opaque; both and the bytes of
+   * their targets are 0 where nothing was drawn in shells. How many tetrahedra moved points have
+   * turned inside out since they got their cells (they are drawn as they are; among the cells that
+   * opaque iso-surfaces cut, those alone); bytes of points and scalars, or of triangles, on the GPU,
+   * and what was sent of them.
    */
   vtkIdType GetNumberOfElementsDrawn() const;
   int GetNumberOfShells() const;

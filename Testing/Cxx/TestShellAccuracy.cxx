@@ -59,9 +59,10 @@ void CheckMesh(TestChecks& checks, TestScene& scene, const std::string& name, Me
   CHECK_NEAR(slab, 4.0, 0.4);
 }
 
-// The smooth function of the report: opacity that rises to 1 over a twentieth of the diagonal. A
-// sixtieth of an optical depth is lost or won where a ray begins or ends between two of 600 points:
-// these meet the bounds with twice as many.
+// The smooth function of the report: opacity that rises to 1 over a twentieth of the diagonal. Up to
+// a sixtieth of an optical depth is lost or won where a ray begins or ends between two of 600 points:
+// the sum over the same slices in double has an RMSE of 1.1e-3 (cube) and 1.5e-3, and errors up to
+// 1.4e-2. With twice as many points the bounds hold.
 void CheckReportFunction(TestChecks& checks, TestScene& scene, const std::string& name)
 {
   double range[2];
@@ -78,14 +79,18 @@ void CheckReportFunction(TestChecks& checks, TestScene& scene, const std::string
   scene.Opacity->AddPoint(at(1.0), 1.0);
   scene.Property->SetScalarOpacityUnitDistance(grid->GetLength() / 20.0);
   auto* mapper = vtkBarycentricShellMapper::SafeDownCast(scene.Mapper);
-  for (const bool point : { true, false })
+  const auto check = [&](const char* integration, double samples, double share)
   {
-    point ? mapper->SetIntegrationToPoint() : mapper->SetIntegrationToPreIntegrated();
-    mapper->SetSamplesPerRay(point ? 1200.0 : 600.0);
-    CHECK(scene.MaximumError(name + (point ? ", point" : ", pre-integrated")) >= 0.0);
-    CHECK_AT_MOST(scene.Oracle->GetRootMeanSquareError(), 1e-3);
-    CHECK_AT_MOST(scene.Oracle->GetMaximumError(), 1e-2);
-  }
+    mapper->SetSamplesPerRay(samples);
+    CHECK(scene.MaximumError(name + ", " + integration) >= 0.0);
+    CHECK_AT_MOST(scene.Oracle->GetRootMeanSquareError(), share * 1e-3);
+    CHECK_AT_MOST(scene.Oracle->GetMaximumError(), share * 1e-2);
+  };
+  mapper->SetIntegrationToPoint();
+  check("600 points", 600.0, 1.65);
+  check("1200 points", 1200.0, 1.0);
+  mapper->SetIntegrationToPreIntegrated();
+  check("600 pre-integrated", 600.0, 0.1);
 }
 }
 

@@ -1,9 +1,11 @@
 // Distances and numbers of samples: the last one set counts, those that make no sense are refused
-// by name; the number of samples per shell changes no image.
+// by name; the number of samples per shell changes no image; counts are those of the last frame.
 
 #include "TestMeshes.h"
 #include "TestScene.h"
 #include "vtkBarycentricShellMapper.h"
+
+#include "vtkContourValues.h"
 
 #include <cmath>
 #include <limits>
@@ -80,6 +82,23 @@ void CheckRefused(TestChecks& checks, TestScene& scene, vtkBarycentricShellMappe
   CHECK(scene.CenterPixel()[3] > 0.1);
   CHECK(messages->Count() == 8);
 }
+
+// What is said of the last frame's shells, where it had none.
+void CheckCounts(TestChecks& checks, TestScene& scene, vtkBarycentricShellMapper* mapper)
+{
+  CHECK(mapper->GetNumberOfElementsDrawn() >= 6);
+  CHECK(mapper->GetNumberOfShells() > 1);
+  CHECK(mapper->GetTargetBytes() == 4 * 2 * 16 * 64 * 64);
+  for (const bool inOrder : { true, false })
+  {
+    inOrder ? mapper->SetMethodToCellProjection() : mapper->SetBlendModeToIsoSurface();
+    scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
+    scene.Render();
+    CHECK(mapper->GetNumberOfElementsDrawn() == 0);
+    CHECK(mapper->GetNumberOfShells() == 0);
+    CHECK(mapper->GetTargetBytes() == 0);
+  }
+}
 }
 
 int TestShellSettings(int, char*[])
@@ -91,5 +110,6 @@ int TestShellSettings(int, char*[])
   CheckDistances(checks, scene, mapper);
   CheckSamplesPerShell(checks, scene, mapper);
   CheckRefused(checks, scene, mapper);
+  CheckCounts(checks, scene, mapper);
   return checks.Result();
 }

@@ -120,9 +120,14 @@ void CheckMessages(TestChecks& checks, TestScene& scene, vtkBarycentricShellMapp
   mapper->SetVolumeTexture(empty);
   scene.Render();
   CHECK(messages->Count() == 3 && messages->CountOf("no point scalars") == 1);
+  mapper->SetVolumeTexture(MakeImage(4));
+  mapper->SetBlendModeToIsoSurface();
+  scene.Render();
+  CHECK(messages->Count() == 4 && messages->CountOf("of a volume texture are not drawn") == 1);
+  mapper->SetBlendModeToComposite();
   mapper->SetVolumeTexture(nullptr);
   scene.Render();
-  CHECK(messages->Count() == 3);
+  CHECK(messages->Count() == 4);
   CHECK(scene.CenterPixel()[3] > 0.1);
 }
 }
