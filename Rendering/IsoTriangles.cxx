@@ -150,7 +150,25 @@ void IsoTriangles::CutCells(const std::vector<int>& corners, const std::vector<f
 }
 
 //------------------------------------------------------------------------------
-bool IsoTriangles::IsNew(const Edge* triangle, Faces& faces)
+bool IsoTriangles::Faces::IsNew(const std::array<int, 3>& points, size_t numberOfPoints)
+{
+  // Most surfaces have none.
+  this->LastOfPoint.resize(numberOfPoints, -1);
+  int& last = this->LastOfPoint[points[0]];
+  for (int face = last; face >= 0; face = this->Items[face][2])
+  {
+    if (this->Items[face][0] == points[1] && this->Items[face][1] == points[2])
+    {
+      return false;
+    }
+  }
+  this->Items.push_back({ points[1], points[2], last });
+  last = static_cast<int>(this->Items.size()) - 1;
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool IsoTriangles::IsNew(const Edge* triangle, Faces& faces) const
 {
   std::array<int, 3> points;
   int onPoints = 0;
@@ -166,7 +184,7 @@ bool IsoTriangles::IsNew(const Edge* triangle, Faces& faces)
   // A face comes from the cells on both of its sides; a cell that touches the value gives a point.
   std::sort(points.begin(), points.end());
   const bool isFace = points[0] != points[1] && points[1] != points[2];
-  return isFace && faces.insert(points).second;
+  return isFace && faces.IsNew(points, this->Levels.size());
 }
 
 //------------------------------------------------------------------------------

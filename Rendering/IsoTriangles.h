@@ -5,7 +5,6 @@
 
 #include <array>
 #include <cstddef>
-#include <set>
 #include <vector>
 
 /**
@@ -82,10 +81,17 @@ private:
   void CutCells(const std::vector<int>& corners, const std::vector<float>& scalars, int index,
     Part& part) const;
   void AppendSurface(const std::vector<Part>& parts, float value);
-  /// Faces on the value, by their points, ascending.
-  using Faces = std::set<std::array<int, 3>>;
+  /// Faces on the value, by their points, ascending: a list for each first point, as of the vertices.
+  struct Faces
+  {
+    bool IsNew(const std::array<int, 3>& points, std::size_t numberOfPoints);
+
+    std::vector<int> LastOfPoint;
+    /// The second and the third point, and the face before.
+    std::vector<std::array<int, 3>> Items;
+  };
   /// False for a face that is in `faces`, to which it adds others, and for a point.
-  static bool IsNew(const Edge* triangle, Faces& faces);
+  bool IsNew(const Edge* triangle, Faces& faces) const;
   int FindVertex(const Edge& edge);
   void CountLostCells(const std::vector<int>& corners, const std::vector<float>& points);
   void AppendCells(const std::vector<Part>& parts);
