@@ -67,7 +67,7 @@ bool ConvexCellConversion::HasCurvedCells() const
 bool ConvexCellConversion::RefineCurvedCells(const std::vector<vtkDataArray*>& arrays,
   double tolerance, const std::function<bool()>& goOn)
 {
-  this->Curved = std::make_unique<CurvedCells>(this->Reader, this->Points);
+  this->Curved = std::make_unique<CurvedCells>(this->Reader, this->Points, this->Stars);
   return this->Curved->Refine(arrays, tolerance, goOn);
 }
 

@@ -4,6 +4,7 @@
 #include "ConvexCellReader.h"
 #include "FaceTriangles.h"
 #include "PolyhedronSurface.h"
+#include "StarCells.h"
 
 #include "vtkCellType.h"
 #include "vtkIdList.h"
@@ -13,35 +14,62 @@
 
 namespace
 {
-// However the cell is wound. False where no corner sees all of it.
-bool SplitByFaces(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
-  const double (*points)[3], CurvedRefinement& refinement)
+// However the cell is wound. False where no corner sees all of it, but for what is flat.
+bool AddCone(vtkIdType cell, const FaceTriangles& triangles, const vtkIdType* ids,
+  const double (*points)[3], double flatness, CurvedRefinement& refinement)
 {
-  const FaceTriangles triangles(solid, ids, points);
   for (const double sign : { 1.0, -1.0 })
   {
-    const int apex = triangles.FindApex(sign);
+    const int apex = triangles.FindApex(sign, flatness);
     if (apex >= 0)
     {
       triangles.VisitCone(apex,
         [&](int a, int b, int c)
         {
-          const bool turned = sign < 0.0;
-          refinement.AddStraight(
-            cell, { ids[apex], ids[a], ids[turned ? c : b], ids[turned ? b : c] });
+          const double volume =
+            TetrahedralSplit::SixVolumes(points[apex], points[a], points[b], points[c]);
+          if (sign * volume >= 0.0)
+          {
+            refinement.AddStraight(
+              cell, { ids[apex], ids[a], ids[sign < 0.0 ? c : b], ids[sign < 0.0 ? b : c] });
+          }
         });
       return true;
     }
   }
   return false;
 }
+
+// The faces without those nodes that halve an edge of a curved cell: halving it puts them back.
+void TakeCorners(const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+  const CurvedRefinement& refinement, std::vector<int>& offsets, std::vector<int>& vertices)
+{
+  offsets.assign(1, 0);
+  vertices.clear();
+  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  {
+    const int* begin = solid.Begin(face);
+    const int count = static_cast<int>(solid.End(face) - begin);
+    for (int i = 0; i < count; ++i)
+    {
+      const vtkIdType before = ids[begin[(i + count - 1) % count]], after = ids[begin[(i + 1) % count]];
+      if (refinement.GetMiddle(before, after) != ids[begin[i]])
+      {
+        vertices.push_back(begin[i]);
+      }
+    }
+    offsets.push_back(static_cast<int>(vertices.size()));
+  }
+}
 }
 
 using TetrahedralSplit::Shape;
 
-CurvedCells::CurvedCells(const ConvexCellReader& reader, ConvexCellPoints& points)
+CurvedCells::CurvedCells(
+  const ConvexCellReader& reader, ConvexCellPoints& points, StarCells& stars)
   : Reader(reader)
   , Points(points)
+  , Stars(stars)
   , Taken(reader.GetTypes().size(), 0)
   , Fates(reader.GetTypes().size(), ConvexCellPlan::Whole)
   , Starts(reader.GetTypes().size() + 1, 0)
@@ -62,6 +90,7 @@ bool CurvedCells::Refine(const std::vector<vtkDataArray*>& arrays, double tolera
 {
   CurvedRefinement refinement(this->Reader.GetGrid(), this->Points, arrays, tolerance);
   this->AddCurved(refinement);
+  refinement.HalveAt(this->FindNodes());
   while (refinement.Mark())
   {
     this->AddNeighbours(refinement);
@@ -113,6 +142,30 @@ void CurvedCells::AddCell(vtkIdType cell, CurvedCell& evaluator, CurvedRefinemen
   {
     refinement.AddCurved(cell, twin, this->Canonical.data());
   }
+}
+
+// By input point: whether a polyhedron has it; empty where there is none.
+std::vector<char> CurvedCells::FindNodes()
+{
+  std::vector<char> nodes;
+  const std::vector<vtkIdType>& canonical = this->Points.GetCanonical();
+  for (vtkIdType cell = 0; cell < static_cast<vtkIdType>(this->Taken.size()); ++cell)
+  {
+    if (this->Reader.GetTypes()[cell] == VTK_POLYHEDRON &&
+        this->Reader.Refuse(cell) == ConvexCellPlan::Whole &&
+        this->Reader.ReadAllIds(cell, canonical, this->List, this->Canonical))
+    {
+      nodes.resize(canonical.size(), 0);
+      for (const vtkIdType id : this->Canonical)
+      {
+        if (id >= 0)
+        {
+          nodes[id] = 1;
+        }
+      }
+    }
+  }
+  return nodes;
 }
 
 // The straight cells that share an edge that is cut.
@@ -168,7 +221,7 @@ void CurvedCells::Split(vtkIdType cell, CurvedRefinement& refinement)
     }
     const ConvexCellPlan plan = PlanConvexCell(shape, ids, points, ConvexCellCut::All);
     if ((plan.Thin || plan.Uneven) &&
-      SplitByFaces(cell, TetrahedralSplit::SolidOf(shape), ids, points, refinement))
+      this->SplitByFaces(cell, TetrahedralSplit::SolidOf(shape), ids, refinement))
     {
       return;
     }
@@ -190,29 +243,44 @@ void CurvedCells::SplitPolyhedron(vtkIdType cell, CurvedRefinement& refinement)
   {
     return;
   }
-  const std::vector<vtkIdType>& ids = surface.GetIds();
-  std::vector<std::array<double, 3>> points(ids.size());
-  for (std::size_t i = 0; i < ids.size(); ++i)
+  const vtkIdType* ids = surface.GetIds().data();
+  std::vector<int> offsets, vertices;
+  TetrahedralSplit::Solid solid = surface.GetSolid();
+  TakeCorners(solid, ids, refinement, offsets, vertices);
+  solid.FaceOffsets = offsets.data();
+  solid.FaceVertices = vertices.data();
+  this->SplitByFaces(cell, solid, ids, refinement);
+}
+
+// From a corner or from a point within; false where none will do.
+bool CurvedCells::SplitByFaces(vtkIdType cell, const TetrahedralSplit::Solid& solid,
+  const vtkIdType* ids, CurvedRefinement& refinement)
+{
+  std::vector<std::array<double, 3>> points(solid.NumberOfVertices);
+  for (int i = 0; i < solid.NumberOfVertices; ++i)
   {
     this->Points.Get(ids[i], points[i].data());
   }
-  auto* coordinates = reinterpret_cast<double(*)[3]>(points.data());
-  TetrahedralSplit::ScaleIfExtreme(coordinates, static_cast<int>(ids.size()));
-  if (SplitByFaces(cell, surface.GetSolid(), ids.data(), coordinates, refinement))
+  auto scaled = points;
+  auto* coordinates = reinterpret_cast<double(*)[3]>(scaled.data());
+  TetrahedralSplit::ScaleIfExtreme(coordinates, solid.NumberOfVertices);
+  const FaceTriangles triangles(solid, ids, coordinates);
+  if (AddCone(cell, triangles, ids, coordinates, 0.0, refinement))
   {
-    return;
+    return true;
   }
-  for (int turn = 0; turn < 2; ++turn, surface.Turn())
+  std::vector<Ids> pieces;
+  if (!this->Stars.Split(cell, solid, ids, reinterpret_cast<double(*)[3]>(points.data()),
+        this->Points, pieces))
   {
-    const int apex = TetrahedralSplit::FindApex(surface.GetSolid(), ids.data(), coordinates);
-    if (apex >= 0)
-    {
-      TetrahedralSplit::VisitCone(surface.GetSolid(), ids.data(), apex,
-        [&](int, int a, int b, int c)
-        { refinement.AddStraight(cell, { ids[apex], ids[a], ids[b], ids[c] }); });
-      return;
-    }
+    return AddCone(
+      cell, triangles, ids, coordinates, TetrahedralSplit::FlatnessTolerance, refinement);
   }
+  for (const Ids& piece : pieces)
+  {
+    refinement.AddStraight(cell, piece);
+  }
+  return true;
 }
 
 void CurvedCells::TakePieces(const std::vector<CurvedRefinement::Tetrahedron>& pieces)

@@ -13,6 +13,7 @@
 
 class ConvexCellPoints;
 class ConvexCellReader;
+class StarCells;
 class vtkDataArray;
 class vtkIdList;
 class vtkUnstructuredGrid;
@@ -20,7 +21,8 @@ class vtkUnstructuredGrid;
 class CurvedCells
 {
 public:
-  CurvedCells(const ConvexCellReader& reader, ConvexCellPoints& points);
+  /** `stars`: of the straight cells among them. */
+  CurvedCells(const ConvexCellReader& reader, ConvexCellPoints& points, StarCells& stars);
   ~CurvedCells();
 
   static bool HasAny(const std::vector<unsigned char>& types);
@@ -49,14 +51,18 @@ private:
   using Ids = std::array<vtkIdType, 4>;
   void AddCurved(CurvedRefinement& refinement);
   void AddCell(vtkIdType cell, CurvedCell& evaluator, CurvedRefinement& refinement);
+  std::vector<char> FindNodes();
   void AddNeighbours(CurvedRefinement& refinement);
   bool IsNeighbour(const CurvedRefinement& refinement);
   void Split(vtkIdType cell, CurvedRefinement& refinement);
   void SplitPolyhedron(vtkIdType cell, CurvedRefinement& refinement);
+  bool SplitByFaces(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+    CurvedRefinement& refinement);
   void TakePieces(const std::vector<CurvedRefinement::Tetrahedron>& pieces);
 
   const ConvexCellReader& Reader;
   ConvexCellPoints& Points;
+  StarCells& Stars;
   vtkNew<vtkIdList> List;
   std::vector<vtkIdType> Canonical; // of the cell at hand
   std::vector<char> Taken;          // by cell

@@ -143,8 +143,8 @@ std::vector<CurvedRefinement::Place> CurvedRefinement::FindOffInsides()
 
 bool CurvedRefinement::Mark()
 {
-  std::size_t halved = 0;
   this->CountPieces();
+  std::size_t halved = this->Pass == 0 && !this->Nodes.empty() ? this->HalveAtNodes() : 0;
   for (const auto find : { &CurvedRefinement::FindOffEdges, &CurvedRefinement::FindOffInsides })
   {
     for (const Place& place : (this->*find)())
@@ -158,6 +158,28 @@ bool CurvedRefinement::Mark()
   }
   ++this->Pass;
   return halved > 0;
+}
+
+std::size_t CurvedRefinement::HalveAtNodes()
+{
+  std::size_t halved = 0;
+  for (std::size_t i = 0; i < this->Tetrahedra.size(); ++i)
+  {
+    const Tetrahedron& tetrahedron = this->Tetrahedra[i];
+    this->Cell.Take(tetrahedron.Cell);
+    for (int edge = 0; edge < 6; ++edge)
+    {
+      const Place place{ i, edge };
+      const vtkIdType node =
+        this->FindNode(tetrahedron, this->Points.Round(this->Cell.Locate(this->MiddleOf(place))));
+      if (node >= 0 && this->Nodes[node] && this->IsToHalve(place))
+      {
+        this->Halve(place);
+        ++halved;
+      }
+    }
+  }
+  return halved;
 }
 
 // One that is not makes its cell a coarse one, and its tetrahedron is let be.
@@ -186,15 +208,10 @@ void CurvedRefinement::Halve(const Place& place)
   {
     return; // two insides may ask for it
   }
-  CurvedCell::Coordinates middle, x, y;
-  for (int axis = 0; axis < 3; ++axis)
-  {
-    middle[axis] =
-      0.5 * (tetrahedron.References[from][axis] + tetrahedron.References[to][axis]);
-  }
+  CurvedCell::Coordinates x, y;
   this->Points.Get(a, x.data());
   this->Points.Get(b, y.data());
-  this->Edges.Mark(a, b, this->FindOrAddPoint(tetrahedron, middle), this->Pass,
+  this->Edges.Mark(a, b, this->FindOrAddPoint(tetrahedron, this->MiddleOf(place)), this->Pass,
     vtkMath::Distance2BetweenPoints(x.data(), y.data()));
   for (const vtkIdType id : { a, b })
   {
@@ -205,14 +222,23 @@ void CurvedRefinement::Halve(const Place& place)
   }
 }
 
-// A node of the cell that lies there is taken: a polyhedron next to it may have it, too. It halves
-// one edge only, and before it ends any: so what halves an edge is always newer than its ends, and
-// Cut comes to an end in cells that run into themselves.
-vtkIdType CurvedRefinement::FindOrAddPoint(
-  const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& reference)
+CurvedCell::Coordinates CurvedRefinement::MiddleOf(const Place& place) const
 {
-  this->Cell.Take(tetrahedron.Cell);
-  const CurvedCell::Coordinates x = this->Points.Round(this->Cell.Locate(reference));
+  const auto& references = this->Tetrahedra[place.Tetrahedron].References;
+  const int* ends = MarkedEdges::Ends[place.Edge];
+  CurvedCell::Coordinates middle;
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    middle[axis] = 0.5 * (references[ends[0]][axis] + references[ends[1]][axis]);
+  }
+  return middle;
+}
+
+// Of the cell at hand. It halves one edge only, and before it ends any: so what halves an edge is
+// always newer than its ends, and Cut comes to an end in cells that run into themselves.
+vtkIdType CurvedRefinement::FindNode(
+  const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& x)
+{
   for (vtkIdType i = 0; i < this->Cell.GetIds()->GetNumberOfIds(); ++i)
   {
     CurvedCell::Coordinates node;
@@ -221,9 +247,23 @@ vtkIdType CurvedRefinement::FindOrAddPoint(
     const auto& ids = tetrahedron.Ids;
     if (node == x && !this->Touched[id] && std::find(ids.begin(), ids.end(), id) == ids.end())
     {
-      this->Touched[id] = 1;
       return id;
     }
+  }
+  return -1;
+}
+
+// A node of the cell that lies there is taken: a polyhedron next to it may have it, too.
+vtkIdType CurvedRefinement::FindOrAddPoint(
+  const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& reference)
+{
+  this->Cell.Take(tetrahedron.Cell);
+  const CurvedCell::Coordinates x = this->Points.Round(this->Cell.Locate(reference));
+  const vtkIdType node = this->FindNode(tetrahedron, x);
+  if (node >= 0)
+  {
+    this->Touched[node] = 1;
+    return node;
   }
   return this->Points.Add(x, { tetrahedron.Cell, reference });
 }

@@ -38,11 +38,17 @@ public:
   /** `ids`: the points of the cell as they go by, those of the twin first. */
   void AddCurved(vtkIdType cell, TetrahedralSplit::Shape twin, const vtkIdType* ids);
 
+  /** By input point: a curved cell's edge is halved at its node where that is one of these, as
+   *  polyhedra have it in their faces. Before the first pass. */
+  void HalveAt(const std::vector<char>& nodes) { this->Nodes = nodes; }
+
   // === One pass: mark, add the straight cells that share a marked edge, cut
 
   /** False where nothing is left to halve. */
   bool Mark();
   bool IsMarked(vtkIdType a, vtkIdType b) const { return this->Edges.IsMarked(a, b); }
+  /** What halves the edge; -1 where it is not marked. */
+  vtkIdType GetMiddle(vtkIdType a, vtkIdType b) const { return this->Edges.GetMiddle(a, b); }
   /** By input point: whether a marked edge ends there. */
   const std::vector<char>& GetTouched() const { return this->Touched; }
   /** A piece of a straight cell. */
@@ -70,7 +76,10 @@ private:
   std::vector<Place> FindOffInsides();
   void CountPieces();
   bool IsToHalve(const Place& place);
+  std::size_t HalveAtNodes();
   void Halve(const Place& place);
+  CurvedCell::Coordinates MiddleOf(const Place& place) const;
+  vtkIdType FindNode(const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& x);
   vtkIdType FindOrAddPoint(
     const Tetrahedron& tetrahedron, const CurvedCell::Coordinates& reference);
 
@@ -84,6 +93,7 @@ private:
   std::vector<int> Roots;  // by cell: how many pieces it began with
   std::vector<int> Counts; // by cell: how many it has
   std::vector<char> Touched;
+  std::vector<char> Nodes; // empty or by input point
   int Pass = 0;
   std::set<vtkIdType> CoarseCells;
 };

@@ -34,6 +34,12 @@ public:
   bool Insert(vtkIdType a, vtkIdType b) { return this->Edges.emplace(KeyOf(a, b), Edge{}).second; }
 
   bool IsMarked(vtkIdType a, vtkIdType b) const { return this->Find(a, b) != nullptr; }
+  /** -1 where it is not marked. */
+  vtkIdType GetMiddle(vtkIdType a, vtkIdType b) const
+  {
+    const Edge* edge = this->Find(a, b);
+    return edge ? edge->Middle : -1;
+  }
   /** `middle`: the id of the point that halves it. */
   void Mark(vtkIdType a, vtkIdType b, vtkIdType middle, int pass, double length)
   {

@@ -21,20 +21,32 @@ StarCell::Triangles TrianglesOf(
 }
 }
 
+// By its sign.
+bool StarCells::Find(const StarCell::Triangles& triangles, const vtkIdType* ids,
+  const double (*points)[3], int count, const ConvexCellPoints& mesh, Star& star)
+{
+  if (!StarCell::FindKernel(triangles, points, count, star.Sign, star.Kernel))
+  {
+    return false;
+  }
+  star.Kernel = mesh.Round(star.Kernel);
+  if (!StarCell::SeesAll(triangles, points, count, star.Sign, star.Kernel))
+  {
+    return false;
+  }
+  star.Corners.assign(ids, ids + count);
+  star.Weights = StarCell::FindWeights(triangles, points, count, star.Kernel);
+  return true;
+}
+
 void StarCells::Try(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
   const double (*points)[3], double sign, const ConvexCellPoints& mesh, ConvexCellPlan& plan,
   ConvexCellCursor& cursor)
 {
   Star star;
   star.Sign = sign;
-  const int count = solid.NumberOfVertices;
   const StarCell::Triangles triangles = TrianglesOf(solid, ids, points);
-  if (!StarCell::FindKernel(triangles, points, count, sign, star.Kernel))
-  {
-    return;
-  }
-  star.Kernel = mesh.Round(star.Kernel);
-  if (!StarCell::SeesAll(triangles, points, count, sign, star.Kernel))
+  if (!Find(triangles, ids, points, solid.NumberOfVertices, mesh, star))
   {
     return;
   }
@@ -50,17 +62,39 @@ void StarCells::Try(vtkIdType cell, const TetrahedralSplit::Solid& solid, const 
       cursor.Cell += hasVolume;
       cursor.Id += hasVolume ? 4 : 0;
     });
-  star.Corners.assign(ids, ids + count);
-  star.Weights = StarCell::FindWeights(triangles, points, count, star.Kernel);
   const std::lock_guard<std::mutex> lock(this->Mutex);
-  this->Stars[cell] = star;
+  Star& kept = this->Stars[cell];
+  star.Id = kept.Id;
+  kept = star;
+}
+
+bool StarCells::Split(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+  const double (*points)[3], ConvexCellPoints& mesh, std::vector<std::array<vtkIdType, 4>>& pieces)
+{
+  const StarCell::Triangles triangles = TrianglesOf(solid, ids, points);
+  for (const double sign : { 1.0, -1.0 })
+  {
+    Star star;
+    star.Sign = sign;
+    if (Find(triangles, ids, points, solid.NumberOfVertices, mesh, star))
+    {
+      star.Id = mesh.Add(star.Kernel, { cell, star.Kernel });
+      StarCell::VisitPieces(triangles, points, sign, star.Kernel,
+        [&](int a, int b, int c, bool)
+        { pieces.push_back({ star.Id, ids[a], ids[b], ids[c] }); });
+      this->Stars[cell] = star;
+      return true;
+    }
+  }
+  return false;
 }
 
 void StarCells::AddPoints(ConvexCellPoints& mesh)
 {
   for (auto& star : this->Stars)
   {
-    star.second.Id = mesh.Add(star.second.Kernel, { star.first, star.second.Kernel });
+    Star& kept = star.second;
+    kept.Id = kept.Id < 0 ? mesh.Add(kept.Kernel, { star.first, kept.Kernel }) : kept.Id;
   }
 }
 

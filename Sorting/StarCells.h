@@ -26,6 +26,12 @@ public:
     const double (*points)[3], double sign, const ConvexCellPoints& mesh, ConvexCellPlan& plan,
     ConvexCellCursor& cursor);
 
+  /** At once: adds the point, and the ids of the tetrahedra to `pieces`, however the cell is wound. To
+   *  be tried again later, it keeps that point. Not from several threads. */
+  bool Split(vtkIdType cell, const TetrahedralSplit::Solid& solid, const vtkIdType* ids,
+    const double (*points)[3], ConvexCellPoints& mesh,
+    std::vector<std::array<vtkIdType, 4>>& pieces);
+
   /** After all were tried. */
   void AddPoints(ConvexCellPoints& mesh);
 
@@ -40,11 +46,14 @@ private:
   struct Star
   {
     StarCell::Point Kernel;
-    double Sign;
+    double Sign = 1.0;
     vtkIdType Id = -1;
     std::vector<vtkIdType> Corners;
     std::vector<double> Weights;
   };
+  static bool Find(const StarCell::Triangles& triangles, const vtkIdType* ids,
+    const double (*points)[3], int count, const ConvexCellPoints& mesh, Star& star);
+
   std::map<vtkIdType, Star> Stars; // by cell
   std::mutex Mutex;
 };

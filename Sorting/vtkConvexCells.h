@@ -40,8 +40,8 @@
  * than Tolerance times the diagonal of the mesh, or in the data by more than Tolerance times their
  * range. The data are the array to process (SetInputArrayToProcess; the active point scalars unless
  * one is named), or all point arrays of floating-point numbers where there is no such array. An edge
- * is halved for all of its cells alike, straight ones too, so that there are no cracks. Where
- * nothing is off a curved cell goes out as its linear twin. Global ids of points are dropped where
+ * is halved for all of its cells alike, straight ones too, so that there are no cracks, and where a
+ * polyhedron has a node in its middle. Where nothing is off a curved cell goes out as its linear twin. Global ids of points are dropped where
  * points are added.
  *
  * A convex point set is the polyhedron of its convex hull; triangles in one plane make one face.
@@ -76,9 +76,8 @@
  *
  * Not guaranteed: that surfaces which cut through themselves are found. Coincident points with
  * different data are not told apart: the smallest id wins. Faces match where nothing was dropped
- * but what repeats a point, no face runs back on itself, and no straight cell that shares an edge
- * with a curved one lacks a corner that sees all of it (one with nodes on all of its edges does): it
- * is not split from a point within. In the default mode a cell of the output may meet tetrahedra
+ * but what repeats a point, no face runs back on itself, no cell is folded, and polyhedra have of a
+ * curved cell's nodes only corners and those in the middle of edges. In the default mode a cell of the output may meet tetrahedra
  * across a face: they are its face's triangles, but where nodes hang on the face's edges.
  */
 
