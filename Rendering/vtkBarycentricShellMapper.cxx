@@ -11,6 +11,7 @@
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
+#include <sstream>
 
 vtkStandardNewMacro(vtkBarycentricShellMapper);
 
@@ -189,10 +190,11 @@ bool vtkBarycentricShellMapper::PlanShells(CellProjectionFrame& frame)
   const double slices = ShellPlan::CountSlices(internal.Elements.Cells.Range, spacing);
   if (!(slices <= ShellPlan::MaximumNumberOfSlices))
   {
-    this->FailOnce("A distance of " + std::to_string(spacing) + " between samples would take " +
-                   std::to_string(slices) + " slices a frame, more than " +
-                   std::to_string(static_cast<int>(ShellPlan::MaximumNumberOfSlices)) +
-                   ": nothing is drawn; set a larger SampleDistance or fewer SamplesPerRay.");
+    std::ostringstream text;
+    text << "A distance of " << spacing << " between samples would take " << slices
+         << " slices a frame, more than " << ShellPlan::MaximumNumberOfSlices
+         << ": nothing is drawn; set a larger SampleDistance or fewer SamplesPerRay.";
+    this->FailOnce(text.str());
     return false;
   }
   internal.Plan.Build(internal.Elements.Cells.Range, spacing, this->SamplesPerShell,
@@ -210,9 +212,10 @@ bool vtkBarycentricShellMapper::UploadMesh(CellProjectionFrame& frame, bool inSh
   internal.Blocks = &internal.Elements.CutIntoBlocks(prepared, inShells ? limit : 0);
   if (!internal.Blocks->empty() && limit < MeshBlocks::LeastBytes)
   {
-    this->WarnOnce("A MemoryLimit of " + std::to_string(this->MemoryLimit) +
-                   " MiB holds no block: drawn in blocks of " +
-                   std::to_string(MeshBlocks::LeastBytes) + " bytes; set more.");
+    std::ostringstream text;
+    text << "A MemoryLimit of " << this->MemoryLimit << " MiB holds no block: drawn in blocks of "
+         << MeshBlocks::LeastBytes << " bytes; set more.";
+    this->WarnOnce(text.str());
   }
   return internal.Blocks->empty() ? internal.Buffers.Upload(frame.Window, prepared)
                                   : internal.Buffers.UploadWithoutMesh(frame.Window, prepared);

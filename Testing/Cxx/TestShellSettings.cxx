@@ -1,5 +1,6 @@
 // Distances and numbers of samples: the last one set counts, those that make no sense are refused
-// by name; the number of samples per shell changes no image; counts are those of the last frame.
+// by name; the number of samples per shell changes no image; counts are those of the last frame,
+// which ends where all is opaque.
 
 #include "TestMeshes.h"
 #include "TestScene.h"
@@ -75,12 +76,32 @@ void CheckRefused(TestChecks& checks, TestScene& scene, vtkBarycentricShellMappe
   CHECK(mapper->GetSamplesPerShell() == 16);
   mapper->SetSampleDistance(1e-9);
   scene.Render();
-  CHECK(messages->CountOf("slices a frame") == 1);
+  // Between the nearest and the farthest of the mesh.
+  CHECK(messages->CountOf("1e-09 between samples would take 1.") == 1);
+  CHECK(messages->CountOf("e+09 slices a frame, more than 65536") == 1);
   CHECK(!mapper->GetCapturedImage());
   mapper->SetSamplesPerRay(200.0);
   scene.Render();
   CHECK(scene.CenterPixel()[3] > 0.1);
   CHECK(messages->Count() == 8);
+}
+
+// From inside, where the mesh fills the view, nothing is drawn behind what is opaque everywhere.
+void CheckEarlyEnd(TestChecks& checks)
+{
+  TestScene scene(vtkNew<vtkBarycentricShellMapper>(), 64, 64);
+  auto* mapper = vtkBarycentricShellMapper::SafeDownCast(scene.Mapper);
+  scene.SetGrid(TestMeshes::JitteredCube(4));
+  scene.LookFrom(0.0, 0.0, 0.3);
+  scene.SetConstant(1.0);
+  scene.Render();
+  const int shells = mapper->GetNumberOfShells();
+  const vtkIdType elements = mapper->GetNumberOfElementsDrawn();
+  scene.SetConstant(100.0);
+  scene.Render();
+  CHECK_AT_MOST(2 * mapper->GetNumberOfShells(), shells);
+  CHECK(mapper->GetNumberOfElementsDrawn() < elements);
+  CHECK_NEAR(scene.CenterPixel()[3], 1.0, 1e-4);
 }
 
 // What is said of the last frame's shells, where it had none.
@@ -109,6 +130,7 @@ int TestShellSettings(int, char*[])
   scene.SetGrid(TestMeshes::SixTetrahedra());
   CheckDistances(checks, scene, mapper);
   CheckSamplesPerShell(checks, scene, mapper);
+  CheckEarlyEnd(checks);
   CheckRefused(checks, scene, mapper);
   CheckCounts(checks, scene, mapper);
   return checks.Result();
