@@ -27,14 +27,6 @@ void SightHalves::Build(const SignedLinks& links, const std::vector<double>& cen
   {
     halves.clear();
   }
-  this->OneHalf.clear();
-}
-
-//------------------------------------------------------------------------------
-const unsigned char* SightHalves::Undivided()
-{
-  this->OneHalf.assign(this->Centers->size() / 3, Positive - 1);
-  return this->OneHalf.data();
 }
 
 //------------------------------------------------------------------------------

@@ -25,9 +25,6 @@ public:
   /** Both must stay as they are. `centers`: three per cell. */
   void Build(const SignedLinks& links, const std::vector<double>& centers);
 
-  /** The bytes where all cells are of one half, the negative one. */
-  const unsigned char* Undivided();
-
   /** A byte per cell, for the direction nearest to `towards`. `farSide`: what a byte has of
    *  Positive where the cell is in the half away from where `towards` points. */
   const unsigned char* Find(const double towards[3], unsigned char& farSide);
@@ -39,7 +36,6 @@ private:
   const SignedLinks* Links = nullptr;
   const std::vector<double>* Centers = nullptr;
   std::array<std::vector<unsigned char>, NumberOfDirections> Halves;
-  std::vector<unsigned char> OneHalf;
 };
 
 #endif

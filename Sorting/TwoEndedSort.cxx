@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace
 {
@@ -48,17 +49,14 @@ void TwoEndedSort::ForEachBlock(Work work)
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::ChooseHalves(const double eye[4], bool centersFirst)
+void TwoEndedSort::ChooseHalves(const double eye[4])
 {
   double towards[3];
   for (int i = 0; i < 3; ++i)
   {
     towards[i] = eye[i] - eye[3] * this->Center[i];
   }
-  // By centres all cells are the far half, and come from their farthest on.
-  this->FarSide = 0;
-  this->Halves =
-    centersFirst ? this->Sight.Undivided() : this->Sight.Find(towards, this->FarSide);
+  this->Halves = this->Sight.Find(towards, this->FarSide);
 }
 
 //------------------------------------------------------------------------------
@@ -157,6 +155,21 @@ double TwoEndedSort::GetDistance(int cell, const double eye[4]) const
 }
 
 //------------------------------------------------------------------------------
+// The stack's end is taken first: by `farthest` that is the farthest cell, else the nearest.
+void TwoEndedSort::SortByCenters(CellStack& stack, bool farthest, const double eye[4]) const
+{
+  std::vector<std::pair<double, int>> cells(static_cast<size_t>(stack.Size));
+  for (int i = 0; i < stack.Size; ++i)
+  {
+    const double distance = this->GetDistance(stack.Cells[i], eye);
+    cells[i] = { farthest ? distance : -distance, stack.Cells[i] };
+  }
+  std::sort(cells.begin(), cells.end());
+  std::transform(cells.begin(), cells.end(), stack.Cells.begin(),
+    [](const std::pair<double, int>& cell) { return cell.second; });
+}
+
+//------------------------------------------------------------------------------
 void TwoEndedSort::SortHalf(bool far, const double eye[4], bool centersFirst)
 {
   CellStack& stack = far ? this->Stack : this->NearStack;
@@ -168,9 +181,7 @@ void TwoEndedSort::SortHalf(bool far, const double eye[4], bool centersFirst)
   }
   if (centersFirst)
   {
-    // The stack's end is taken first.
-    std::sort(stack.Cells.begin(), stack.Cells.begin() + stack.Size,
-      [&](int a, int b) { return this->GetDistance(a, eye) < this->GetDistance(b, eye); });
+    this->SortByCenters(stack, far, eye);
   }
   vtkIdType* const begin = this->Order.data();
   vtkIdType* const from = far ? begin : begin + this->NumberOfMeshCells - 1;
@@ -182,7 +193,7 @@ void TwoEndedSort::SortHalf(bool far, const double eye[4], bool centersFirst)
 //------------------------------------------------------------------------------
 void TwoEndedSort::Sort(const double eye[4], bool centersFirst)
 {
-  this->ChooseHalves(eye, centersFirst);
+  this->ChooseHalves(eye);
   this->FindNext();
   this->Order.resize(static_cast<size_t>(this->NumberOfMeshCells));
   vtkSMPTools::For(0, 2, 1,
@@ -193,7 +204,7 @@ void TwoEndedSort::Sort(const double eye[4], bool centersFirst)
         this->SortHalf(half == 0, eye, centersFirst);
       }
     });
-  this->SortRest();
+  this->SortRest(eye, centersFirst);
 }
 
 //------------------------------------------------------------------------------
@@ -218,7 +229,7 @@ void TwoEndedSort::FindRest()
 }
 
 //------------------------------------------------------------------------------
-void TwoEndedSort::SortRest()
+void TwoEndedSort::SortRest(const double eye[4], bool centersFirst)
 {
   this->FindRest();
   this->RestCells.resize(this->Rest.size());
@@ -238,6 +249,10 @@ void TwoEndedSort::SortRest()
     {
       this->Stack.Push(this->Rest[i]);
     }
+  }
+  if (centersFirst)
+  {
+    this->SortByCenters(this->Stack, true, eye);
   }
   this->SortOn();
 }

@@ -29,8 +29,8 @@ public:
   void Build(const SignedLinks& links, const std::vector<double>& centers, const double center[3],
     const std::vector<int>& inputIds, int numberOfMeshCells);
 
-  /** For the signs as they are. `centersFirst`: from the farthest end alone, cells that nothing
-   *  tells apart from the farthest centre on. */
+  /** For the signs as they are. `centersFirst`: cells that nothing tells apart from the farthest
+   *  centre on, in the near half from the nearest on. */
   void Sort(const double eye[4], bool centersFirst);
 
   /** Whether cells are left that wait for a circle, or lie behind one. */
@@ -57,7 +57,7 @@ private:
   };
   template <class Work>
   void ForEachBlock(Work work);
-  void ChooseHalves(const double eye[4], bool centersFirst);
+  void ChooseHalves(const double eye[4]);
   bool IsFar(int cell) const
   {
     return (this->Halves[cell] & SightHalves::Positive) == this->FarSide;
@@ -68,8 +68,9 @@ private:
   void FindManyNext(int begin, int end);
   void FindNext();
   void FindRest();
+  void SortByCenters(CellStack& stack, bool farthest, const double eye[4]) const;
   void SortHalf(bool far, const double eye[4], bool centersFirst);
-  void SortRest();
+  void SortRest(const double eye[4], bool centersFirst);
   void SortOn();
 
   const SignedLinks* Links = nullptr;

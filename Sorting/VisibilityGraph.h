@@ -35,9 +35,9 @@ public:
   void Build(const CellComplex& complex, const ImaginaryCells* imaginary);
 
   /** Orders the cells for an eye: a point where eye[3] is 1, a direction towards the eye where it
-   *  is 0. Cells that nothing tells apart come from the farthest centre on where `centersFirst`
-   *  says so (meshes that are not convex), anew for every eye. Else false where no sign has changed
-   *  since the last call, and with it the order. */
+   *  is 0. Cells that nothing tells apart come by their centres where `centersFirst` says so
+   *  (meshes that are not convex), anew for every eye: from the farthest on, and from the nearest
+   *  on. Else false where no sign has changed since the last call, and with it the order. */
   bool Sort(const double eye[4], bool centersFirst);
 
   /** Ids of the complex's cells, farthest first; imaginary cells are not among them. */

@@ -15,9 +15,10 @@
  * Cells that hide each other in a circle have no order: GetCyclicGroups() names them, each group
  * contiguous in the order with its farthest centre first; a mapper can resolve them per pixel.
  *
- * With Convexify off the order follows the shared faces alone; cells with nothing behind them come
- * from the farthest centre on (in the spirit of Williams' MPVO-NC). It is right for convex meshes,
- * often for others, and not proven.
+ * With Convexify off the order follows the shared faces alone. In the far half of the mesh cells with
+ * nothing behind them come from the farthest centre on; the near half is sorted from its end, cells
+ * with nothing before them from the nearest centre on (in the spirit of Williams' MPVO-NC). It is
+ * right for convex meshes, often for others, and not proven.
  *
  * Any linear 3-D cells, mixed. Cells of other kinds are returned too, in no particular place. The
  * order is computed again only where the eye has crossed the plane of a face, or the mesh has

@@ -228,22 +228,23 @@ void TestStereo(TestChecks& checks)
   CHECK(SortTesting::IsPermutation(left, at.Grid->GetNumberOfCells()) && left != right);
 }
 
-// A mesh with a gap and no fill is not proven; one part of it behind the other comes first.
+// A mesh with gaps and no fill is not proven; parts of it come by their centres, in both halves.
 void TestWithoutFill(TestChecks& checks)
 {
   Setting at;
   auto cube = SortMeshes::Lattice(1);
-  auto grid = SortMeshes::Join(cube, SortMeshes::Moved(cube, 4.0, 0.0, 0.0));
+  auto pair = SortMeshes::Join(cube, SortMeshes::Moved(cube, 4.0, 0.0, 0.0));
+  auto grid = SortMeshes::Join(pair, SortMeshes::Moved(pair, 8.0, 0.0, 0.0));
   at.Sort->SetInput(grid);
   at.Sort->ConvexifyOff();
-  at.Camera->SetFocalPoint(2.0, 0.1, 0.1);
-  at.Camera->SetPosition(20.0, 0.1, 0.2);
-  CHECK((Traverse(at.Sort) == Order{ 0, 1 }));
+  at.Camera->SetFocalPoint(6.0, 0.1, 0.1);
+  at.Camera->SetPosition(40.0, 0.1, 0.2);
+  CHECK((Traverse(at.Sort) == Order{ 0, 1, 2, 3 }));
   CHECK(!at.Sort->IsOrderProven());
-  at.Camera->SetPosition(-20.0, 0.1, 0.2);
-  CHECK((Traverse(at.Sort) == Order{ 1, 0 }));
+  at.Camera->SetPosition(-40.0, 0.1, 0.2);
+  CHECK((Traverse(at.Sort) == Order{ 3, 2, 1, 0 }));
   at.Sort->ConvexifyOn();
-  CHECK((Traverse(at.Sort) == Order{ 1, 0 }));
+  CHECK((Traverse(at.Sort) == Order{ 3, 2, 1, 0 }));
   CHECK(at.Sort->IsOrderProven());
 }
 
