@@ -16,23 +16,23 @@ namespace
 constexpr vtkIdType Grain = 16384;
 
 // The first item of another key than the one before it.
-vtkIdType BeginOfRuns(const RadixSort::Item* items, vtkIdType begin, vtkIdType end)
+vtkIdType BeginOfRuns(const RadixSort::Item* items, vtkIdType begin, vtkIdType count)
 {
-  while (begin > 0 && begin < end && items[begin].Key == items[begin - 1].Key)
+  while (begin > 0 && begin < count && items[begin].Key == items[begin - 1].Key)
   {
     ++begin;
   }
   return begin;
 }
 
-vtkIdType EndOfRun(const RadixSort::Item* items, vtkIdType begin, vtkIdType count)
+const RadixSort::Item* EndOfRun(const RadixSort::Item* begin, const RadixSort::Item* end)
 {
-  vtkIdType end = begin + 1;
-  while (end < count && items[end].Key == items[begin].Key)
+  const RadixSort::Item* next = begin + 1;
+  while (next < end && next->Key == begin->Key)
   {
-    ++end;
+    ++next;
   }
-  return end;
+  return next;
 }
 }
 
@@ -100,26 +100,9 @@ double PowerCells::GetKey(vtkIdType cell, const double eye[4]) const
 }
 
 //------------------------------------------------------------------------------
-void PowerCells::FillItems(const Eye& eye, vtkIdType begin, vtkIdType end)
+vtkIdType PowerCells::CountCells(const RadixSort::Item* begin, const RadixSort::Item* end) const
 {
-  RadixSort::Item* items = this->Sort.GetItems();
-  const PowerLift* spheres = this->GetSpheres().data();
-  for (vtkIdType sphere = begin; sphere < end; ++sphere)
-  {
-    items[sphere] = { RadixSort::KeyOf(spheres[sphere].Evaluate(eye.X)),
-      static_cast<std::uint32_t>(sphere) };
-  }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType PowerCells::CountCells(vtkIdType begin, vtkIdType end) const
-{
-  if (this->Shared.IsEmpty())
-  {
-    return end - begin;
-  }
-  const RadixSort::Item* items = this->Sort.GetItems();
-  return std::accumulate(items + begin, items + end, vtkIdType(0),
+  return std::accumulate(begin, end, vtkIdType(0),
     [this](vtkIdType sum, const RadixSort::Item& item)
     { return sum + this->Shared.CountCells(item.Id); });
 }
@@ -129,6 +112,7 @@ void PowerCells::FindPlaces()
 {
   const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
   const vtkIdType chunks = (count + Grain - 1) / Grain;
+  const RadixSort::Item* items = this->Sort.GetItems();
   this->Places.assign(static_cast<std::size_t>(chunks) + 1, 0);
   vtkSMPTools::For(0, chunks, 1,
     [&](vtkIdType begin, vtkIdType end)
@@ -136,47 +120,68 @@ void PowerCells::FindPlaces()
       for (vtkIdType chunk = begin; chunk < end; ++chunk)
       {
         this->Places[chunk + 1] =
-          this->CountCells(chunk * Grain, std::min(count, (chunk + 1) * Grain));
+          this->CountCells(items + chunk * Grain, items + std::min(count, (chunk + 1) * Grain));
       }
     });
   std::partial_sum(this->Places.begin(), this->Places.end(), this->Places.begin());
 }
 
 //------------------------------------------------------------------------------
-// Writes the runs of equal keys that begin in the chunk.
-void PowerCells::WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) const
+// Items that hold all of their keys.
+void PowerCells::WriteRuns(
+  const Eye& eye, const RadixSort::Item* items, const RadixSort::Item* end, vtkIdType* to) const
 {
-  const RadixSort::Item* items = this->Sort.GetItems();
-  const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
-  const vtkIdType first = chunk * Grain;
-  const vtkIdType end = std::min(count, first + Grain);
-  vtkIdType begin = BeginOfRuns(items, first, end);
-  vtkIdType* to = order + this->Places[chunk] + this->CountCells(first, begin);
   std::vector<Run> runs;
   std::vector<Tie> ties;
   const bool isCell = this->Shared.IsEmpty();
-  while (begin < end)
+  while (items < end)
   {
     // Most keys are alone.
-    for (; isCell && begin + 1 < end && items[begin].Key != items[begin + 1].Key; ++begin)
+    for (; isCell && items + 1 < end && items[0].Key != items[1].Key; ++items)
     {
-      *to++ = items[begin].Id;
+      *to++ = items->Id;
     }
-    const vtkIdType next = EndOfRun(items, begin, count);
-    if (next - begin == 1)
+    const RadixSort::Item* next = EndOfRun(items, end);
+    if (next - items == 1)
     {
-      to = this->WriteCells(items[begin].Id, to);
+      to = this->WriteCells(items->Id, to);
     }
     else
     {
-      runs.push_back({ ties.size(), ties.size() + (next - begin), to });
-      to += this->CountCells(begin, next);
-      std::transform(items + begin, items + next, std::back_inserter(ties),
+      runs.push_back({ ties.size(), ties.size() + (next - items), to });
+      to += isCell ? next - items : this->CountCells(items, next);
+      std::transform(items, next, std::back_inserter(ties),
         [](const RadixSort::Item& item) { return Tie{ 0.0, item.Id }; });
     }
-    begin = next;
+    items = next;
   }
   this->WriteTies(eye, runs, ties);
+}
+
+//------------------------------------------------------------------------------
+// The runs of equal keys that begin in the chunk.
+void PowerCells::WriteChunk(const Eye& eye, vtkIdType chunk, vtkIdType* order) const
+{
+  const RadixSort::Item* items = this->Sort.GetItems();
+  const auto count = static_cast<vtkIdType>(this->Sort.GetNumberOfItems());
+  const vtkIdType begin = BeginOfRuns(items, chunk * Grain, count);
+  const vtkIdType end = BeginOfRuns(items, std::min(count, (chunk + 1) * Grain), count);
+  this->WriteRuns(eye, items + begin, items + end,
+    order + this->Places[chunk] + this->CountCells(items + chunk * Grain, items + begin));
+}
+
+//------------------------------------------------------------------------------
+void PowerCells::WriteShared(const Eye& eye, vtkIdType* order)
+{
+  this->FindPlaces();
+  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Places.size()) - 1, 1,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      {
+        this->WriteChunk(eye, chunk, order);
+      }
+    });
 }
 
 //------------------------------------------------------------------------------
@@ -219,21 +224,25 @@ void PowerCells::SortBackToFront(const double point[4], std::vector<vtkIdType>& 
   if (!this->HasShared)
   {
     this->Shared.Build(this->Lifts);
-    this->Sort.SetNumberOfItems(this->GetSpheres().size());
     this->HasShared = true;
   }
   const Eye eye = this->Transform(point);
   order.resize(this->Lifts.size());
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Sort.GetNumberOfItems()), Grain,
-    [&](vtkIdType begin, vtkIdType end) { this->FillItems(eye, begin, end); });
-  this->Sort.Sort();
-  this->FindPlaces();
-  vtkSMPTools::For(0, static_cast<vtkIdType>(this->Places.size()) - 1, 1,
-    [&](vtkIdType begin, vtkIdType end)
+  const PowerLift* spheres = this->GetSpheres().data();
+  this->Sort.SetKeys(this->GetSpheres().size(),
+    [&](std::size_t sphere) { return RadixSort::KeyOf(spheres[sphere].Evaluate(eye.X)); });
+  const bool isShared = !this->Shared.IsEmpty();
+  this->Sort.Sort(
+    [&](const RadixSort::Item* items, std::size_t begin, std::size_t end)
     {
-      for (vtkIdType chunk = begin; chunk < end; ++chunk)
+      // Where spheres have several cells the place of the first is not known yet.
+      if (!isShared)
       {
-        this->WriteRuns(eye, chunk, order.data());
+        this->WriteRuns(eye, items + begin, items + end, order.data() + begin);
       }
     });
+  if (isShared)
+  {
+    this->WriteShared(eye, order.data());
+  }
 }

@@ -80,10 +80,12 @@ private:
   {
     return this->Shared.IsEmpty() ? this->Lifts : this->Shared.GetLifts();
   }
-  void FillItems(const Eye& eye, vtkIdType begin, vtkIdType end);
   void FindPlaces();
-  vtkIdType CountCells(vtkIdType begin, vtkIdType end) const;
-  void WriteRuns(const Eye& eye, vtkIdType chunk, vtkIdType* order) const;
+  vtkIdType CountCells(const RadixSort::Item* begin, const RadixSort::Item* end) const;
+  void WriteRuns(const Eye& eye, const RadixSort::Item* items, const RadixSort::Item* end,
+    vtkIdType* to) const;
+  void WriteChunk(const Eye& eye, vtkIdType chunk, vtkIdType* order) const;
+  void WriteShared(const Eye& eye, vtkIdType* order);
   void WriteTies(const Eye& eye, const std::vector<Run>& runs, std::vector<Tie>& ties) const;
   vtkIdType* WriteCells(std::uint32_t sphere, vtkIdType* order) const;
 

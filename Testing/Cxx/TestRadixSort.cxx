@@ -4,6 +4,7 @@
 #include "TestScene.h"
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
@@ -20,14 +21,27 @@ bool AreEqual(const Items& expected, RadixSort& sort)
     { return a.Key == b.Key && a.Id == b.Id; });
 }
 
+// Every item is in one part, sorted when it is visited, together with all of its key.
 bool SortsAsStableSort(RadixSort& sort, Items items)
 {
-  sort.SetNumberOfItems(items.size());
-  std::copy(items.begin(), items.end(), sort.GetItems());
-  sort.Sort();
+  const Items unsorted = items;
   std::stable_sort(items.begin(), items.end(),
     [](const RadixSort::Item& a, const RadixSort::Item& b) { return a.Key < b.Key; });
-  return AreEqual(items, sort);
+  std::vector<int> visits(items.size(), 0);
+  std::atomic<int> wrong(0);
+  sort.SetKeys(items.size(), [&](std::size_t i) { return unsorted[i].Key; });
+  sort.Sort(
+    [&](const RadixSort::Item* sorted, std::size_t begin, std::size_t end)
+    {
+      for (std::size_t i = begin; i < end; ++i)
+      {
+        ++visits[i];
+        wrong += sorted[i].Key != items[i].Key || sorted[i].Id != items[i].Id;
+      }
+      wrong += begin > 0 && items[begin - 1].Key == items[begin].Key;
+    });
+  return wrong == 0 && AreEqual(items, sort) &&
+         std::all_of(visits.begin(), visits.end(), [](int count) { return count == 1; });
 }
 
 bool SortsAsStableSort(RadixSort& sort, std::size_t count, std::uint32_t mask)
@@ -72,12 +86,13 @@ void CheckKeys(TestChecks& checks)
   }
 }
 
-// Nothing is allocated for a second array of the same size.
+// Nothing is allocated for more arrays of the same size: two take turns.
 void CheckBuffers(TestChecks& checks)
 {
   RadixSort sort;
   CHECK(SortsAsStableSort(sort, 50000, 0xffffffffu));
   const RadixSort::Item* first = sort.GetItems();
+  CHECK(SortsAsStableSort(sort, 50000, 0xffffffffu));
   CHECK(SortsAsStableSort(sort, 50000, 0xffffffffu));
   CHECK(sort.GetItems() == first);
 }
@@ -121,7 +136,7 @@ void PrintSpeed()
 {
   constexpr std::size_t count = 1300000;
   RadixSort sort;
-  sort.SetNumberOfItems(count);
+  std::vector<std::uint32_t> keys(count);
   double best = 1e9;
   for (int run = 0; run < 9; ++run)
   {
@@ -129,10 +144,11 @@ void PrintSpeed()
     for (std::size_t i = 0; i < count; ++i)
     {
       const double value = std::ldexp(static_cast<double>(random()), -30) - 2.0;
-      sort.GetItems()[i] = { RadixSort::KeyOf(value), static_cast<std::uint32_t>(i) };
+      keys[i] = RadixSort::KeyOf(value);
     }
     const auto start = std::chrono::steady_clock::now();
-    sort.Sort();
+    sort.SetKeys(count, [&](std::size_t i) { return keys[i]; });
+    sort.Sort([](const RadixSort::Item*, std::size_t, std::size_t) {});
     best = std::min(
       best, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
   }
