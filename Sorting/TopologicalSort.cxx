@@ -1,5 +1,7 @@
 #include "TopologicalSort.h"
 
+#include <hwy/cache_control.h>
+
 namespace TopologicalSort
 {
 //------------------------------------------------------------------------------
@@ -30,7 +32,12 @@ vtkIdType* Run(std::vector<WaitingCell>& cells, const std::vector<int>& longList
     }
     for (; next != last; ++next)
     {
-      if ((all[*next].State() -= WaitingCell::Unit) < WaitingCell::Unit)
+      // What is needed when the cell is taken: its line is here, those that it leads to may not be.
+      WaitingCell& waiting = all[*next];
+      hwy::Prefetch(end.InputIds + *next);
+      hwy::Prefetch(all + waiting.Next[0]);
+      hwy::Prefetch(all + waiting.Next[1]);
+      if ((waiting.State() -= WaitingCell::Unit) < WaitingCell::Unit)
       {
         *top++ = *next;
       }

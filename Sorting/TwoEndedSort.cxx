@@ -70,7 +70,7 @@ void TwoEndedSort::FindFewNext(int begin, int end)
     const int first = links.Begin(cell);
     const int reversed = this->IsFar(cell) ? 0 : 1;
     const int listed = this->Halves[cell];
-    int next[SignedLinks::FewLinks + 1];
+    int next[SignedLinks::FewLinks + 1] = {};
     int count = 0;
     int before = 0;
     for (int i = 0; i < SignedLinks::FewLinks; ++i)
