@@ -12,7 +12,7 @@
 struct TileFragments
 {
   /** Emptied between cells when there are this many; one cell covers a tile at most. */
-  static constexpr int Full = 256;
+  static constexpr int Full = 512;
   static constexpr int Capacity = Full + TileSize::Pixels * TileSize::Pixels + 64;
 
   int Count = 0;
@@ -25,6 +25,8 @@ struct TileFragments
   alignas(64) int Pixel[Capacity];
   /** Where they are named (NamesCells): the cell's id. */
   alignas(64) int Cell[Capacity];
+  /** u where the ray leaves; composited: where the piece before it in its pixel did. */
+  alignas(64) float Exit[Capacity];
   /** Shaded: premultiplied red, green, blue, and minus alpha, in slots (TileColors-inl.h). */
   alignas(64) float Slots[Capacity][4];
 

@@ -30,12 +30,26 @@ using ShadeVector = hn::Vec<ShadeFloat>;
 using ShadeIndex = hn::Vec<ShadeInt>;
 using ShadeMask = hn::Mask<ShadeFloat>;
 
+constexpr int FewPieces = 6;
+
 /// The piece of a table (TileTransfer, EmissionTable) that a scalar lies in.
 template <class LookUp, class Table>
 HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVector scalar)
 {
   const ShadeInt di;
   auto piece = hn::Zero(di);
+  // Few bounds are counted: the steps of a search wait for each other.
+  const int few = table.NumberOfPieces <= FewPieces ? table.NumberOfPieces : 0;
+  for (int i = 1; i < few; ++i)
+  {
+    const auto reached = hn::Le(hn::Set(ShadeFloat(), table.Bounds[i]), scalar);
+    const auto next = hn::Add(piece, hn::Set(di, 1));
+    piece = hn::IfThenElse(hn::RebindMask(di, reached), next, piece);
+  }
+  if (few > 0)
+  {
+    return piece;
+  }
   for (int bit = 1 << table.SearchSteps >> 1; bit != 0; bit >>= 1)
   {
     const auto higher = hn::Or(piece, hn::Set(di, bit));

@@ -34,10 +34,33 @@ public:
     this->At(cell) = place;
   }
 
-  int Find(int cell)
+  /** Finds as long as nothing is set: in pointers of its own, which need not be read again after
+   *  every store of a byte. */
+  class Finder
   {
-    return this->HasSlot(cell >> TileClusters::Shift) ? this->At(cell) : None;
-  }
+  public:
+    explicit Finder(const TilePlaces& places)
+      : Slots(places.Slots.data())
+      , Owners(places.Owners.data())
+      , Places(places.Places.data())
+      , Count(places.Owners.size())
+    {
+    }
+    int Find(int cell) const
+    {
+      const int cluster = cell >> TileClusters::Shift;
+      const auto slot = static_cast<std::size_t>(this->Slots[cluster]);
+      return slot < this->Count && this->Owners[slot] == cluster
+        ? this->Places[(slot << TileClusters::Shift) + (cell & (TileClusters::Size - 1))]
+        : None;
+    }
+
+  private:
+    const int* Slots;
+    const int* Owners;
+    const int* Places;
+    std::size_t Count;
+  };
 
   std::size_t GetMemorySize() const
   {

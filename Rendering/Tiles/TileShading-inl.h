@@ -109,7 +109,12 @@ public:
   long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
     return ShadeInPasses(
-      fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
+      fragments.Count, remainders,
+      [&](TileRemainders& rest)
+      {
+        this->FindFirstPieces(fragments, remainders[1]);
+        this->ShadeFirstPieces(remainders[1], fragments, rest);
+      },
       [&](int, const TileRemainders& now, TileRemainders& next)
       { this->ShadeRemainders(fragments, now, next); });
   }
@@ -201,7 +206,9 @@ private:
     rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
   }
 
-  void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
+  /// Apart from the shading: two short chains of steps that wait for each other run side by side
+  /// over more vectors than a long one.
+  void FindFirstPieces(const TileFragments& q, TileRemainders& out) const
   {
     const ShadeFloat d;
     const ShadeInt di;
@@ -210,12 +217,27 @@ private:
     for (int at = 0; at < q.Count; at += lanes)
     {
       const FragmentEnds ends(q, at, scale, offset);
+      const auto length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
+      hn::Store(length, d, out.Length + at);
+      hn::Store(ends.First, d, out.First + at);
+      hn::Store(ends.Last, d, out.Last + at);
+      hn::Store(PieceOf(this->Values, this->Transfer, ends.First), di, out.Piece + at);
+    }
+  }
+
+  void ShadeFirstPieces(const TileRemainders& first, TileFragments& q, TileRemainders& rest) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    for (int at = 0; at < q.Count; at += lanes)
+    {
       ShadePieces p;
-      p.Length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
-      p.First = ends.First;
-      p.Last = ends.Last;
+      p.First = hn::Load(d, first.First + at);
+      p.Last = hn::Load(d, first.Last + at);
+      p.Length = hn::Load(d, first.Length + at);
       p.Through = hn::Set(d, 1.0f);
-      p.Piece = PieceOf(this->Values, this->Transfer, p.First);
+      p.Piece = hn::Load(di, first.Piece + at);
       p.Fragment = Ramp(di, at);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
