@@ -59,16 +59,18 @@ struct LitCourse
 {
   /// |g|^2 = Squares[0] + 2 Squares[1] share + Squares[2] share^2.
   ShadeVector Squares[3];
-  ShadeVector ToEye[3], Seen, SeenRise;
+  ShadeVector Seen, SeenRise;
   /// Where the piece begins, and where its ray goes.
   ShadeVector Point[3], Way[3];
   LitSide Sides[TileLighting::MaximumLights];
 };
 
+/// `Channels`: three, or one where all lights are grey.
+template <int Channels>
 struct LitColors
 {
-  ShadeVector Factor[3];
-  ShadeVector Highlight[3];
+  ShadeVector Factor[Channels];
+  ShadeVector Highlight[Channels];
 };
 
 class TileLightSource
@@ -84,22 +86,28 @@ public:
     }
   }
 
+  /// The way from the rays of pixels to the eye, of length 1.
+  HWY_INLINE void FindToEye(ShadeIndex pixel, ShadeVector (&out)[3]) const
+  {
+    this->Rays.FindToEye(pixel, out);
+    const auto inverse = InverseRoot(Dot(out, out));
+    for (auto& component : out)
+    {
+      component = hn::Mul(component, inverse);
+    }
+  }
+
   HWY_INLINE void Begin(const LitPieces& p, LitCourse& c) const
   {
     c.Squares[0] = Dot(p.Gradient, p.Gradient);
     c.Squares[1] = Dot(p.Gradient, p.GradientRise);
     c.Squares[2] = Dot(p.GradientRise, p.GradientRise);
-    ShadeVector toEye[3];
-    this->Rays.FindToEye(p.Pixel, toEye);
-    const auto inverse = InverseRoot(Dot(toEye, toEye));
-    for (int k = 0; k < 3; ++k)
-    {
-      c.ToEye[k] = hn::Mul(toEye[k], inverse);
-    }
-    c.Seen = Dot(p.Gradient, c.ToEye);
-    c.SeenRise = Dot(p.GradientRise, c.ToEye);
+    c.Seen = Dot(p.Gradient, p.ToEye);
+    c.SeenRise = Dot(p.GradientRise, p.ToEye);
     if (this->WithPosition)
     {
+      ShadeVector toEye[3];
+      this->Rays.FindToEye(p.Pixel, toEye);
       this->Rays.FindOrigin(p.Pixel, c.Point);
       for (int k = 0; k < 3; ++k)
       {
@@ -138,14 +146,15 @@ public:
     return bend;
   }
 
+  template <int Channels>
   HWY_INLINE void Shine(
-    const LitPieces& p, const LitCourse& c, ShadeVector share, LitColors& out) const
+    const LitPieces& p, const LitCourse& c, ShadeVector share, LitColors<Channels>& out) const
   {
     const ShadeFloat d;
     const auto linear = hn::MulAdd(share, c.Squares[2], hn::Add(c.Squares[1], c.Squares[1]));
     const auto inverse = InverseRoot(hn::MulAdd(share, linear, c.Squares[0]));
     const auto seen = hn::Mul(hn::MulAdd(share, c.SeenRise, c.Seen), inverse);
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < Channels; ++k)
     {
       out.Factor[k] = hn::Set(d, this->Lighting.Ambient[k]);
       out.Highlight[k] = hn::Zero(d);
@@ -194,7 +203,7 @@ private:
     }
     s.Side = Dot(p.Gradient, s.Way);
     s.SideRise = Dot(p.GradientRise, s.Way);
-    s.Seen = Dot(c.ToEye, s.Way);
+    s.Seen = Dot(p.ToEye, s.Way);
   }
 
   /// Where the gradient has turned by the greatest angle: it moves along a line that passes zero at
@@ -248,8 +257,9 @@ private:
     return hn::IfThenElse(some, Sooner(end, hn::Div(constant, q)), end);
   }
 
+  template <int Channels>
   HWY_INLINE void AddPosition(const TileLight& light, const LitPieces& p, const LitCourse& c,
-    ShadeVector share, ShadeVector inverse, ShadeVector seen, LitColors& out) const
+    ShadeVector share, ShadeVector inverse, ShadeVector seen, LitColors<Channels>& out) const
   {
     const ShadeFloat d;
     ShadeVector way[3], gradient[3];
@@ -261,7 +271,7 @@ private:
     const auto squared = Dot(way, way);
     const auto near = InverseRoot(squared);
     const auto cosine = hn::Mul(hn::Mul(Dot(gradient, way), near), inverse);
-    const auto mirrored = hn::Mul(Dot(c.ToEye, way), near);
+    const auto mirrored = hn::Mul(Dot(p.ToEye, way), near);
     const auto far = hn::Mul(squared, near);
     const auto faded = hn::MulAdd(hn::Set(d, light.Attenuation[2]), squared,
       hn::MulAdd(hn::Set(d, light.Attenuation[1]), far, hn::Set(d, light.Attenuation[0])));
@@ -273,7 +283,7 @@ private:
       const auto fall = Power(hn::Max(axis, hn::Zero(d)), light.Exponent);
       arriving = hn::IfThenElseZero(inside, hn::Mul(arriving, fall));
     }
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < Channels; ++k)
     {
       out.Factor[k] = hn::MulAdd(arriving, hn::Set(d, light.Ambient[k]), out.Factor[k]);
     }
@@ -281,12 +291,13 @@ private:
   }
 
   /// `seen`, `toLight`: cosines of the angles to the eye of the gradient and of the light.
+  template <int Channels>
   HWY_INLINE void AddLight(const TileLight& light, ShadeVector cosine, ShadeVector seen,
-    ShadeVector toLight, ShadeVector arriving, LitColors& out) const
+    ShadeVector toLight, ShadeVector arriving, LitColors<Channels>& out) const
   {
     const ShadeFloat d;
     const auto diffuse = hn::Mul(arriving, hn::Abs(cosine));
-    for (int k = 0; k < 3; ++k)
+    for (int k = 0; k < Channels; ++k)
     {
       out.Factor[k] = hn::MulAdd(diffuse, hn::Set(d, light.Diffuse[k]), out.Factor[k]);
     }
@@ -297,7 +308,7 @@ private:
       const auto some = hn::AndNot(hn::Eq(cosine, hn::Zero(d)), hn::Lt(hn::Zero(d), mirrored));
       const auto shine = Power(hn::IfThenElseZero(some, mirrored), this->Lighting.Power);
       const auto arrives = hn::IfThenElseZero(some, hn::Mul(arriving, shine));
-      for (int k = 0; k < 3; ++k)
+      for (int k = 0; k < Channels; ++k)
       {
         out.Highlight[k] = hn::MulAdd(arrives, hn::Set(d, light.Specular[k]), out.Highlight[k]);
       }

@@ -24,6 +24,11 @@ bool KeepsAngles(const glm::dmat3& matrix)
   }
   return greatest <= 1e-6 * square;
 }
+
+bool IsGrey(const glm::vec3& light)
+{
+  return light.x == light.y && light.y == light.z;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -44,6 +49,10 @@ void TileLighting::Build(
     {
       this->AddLight(light, shading);
     }
+    this->IsGrey = ::IsGrey(this->Ambient) &&
+      std::all_of(this->Lights.begin(), this->Lights.end(),
+        [](const TileLight& light)
+        { return ::IsGrey(light.Ambient) && ::IsGrey(light.Diffuse) && ::IsGrey(light.Specular); });
     this->HasGlance = this->HasHighlight && this->Power < 2.0f;
     this->SetGreatestTurn();
   }

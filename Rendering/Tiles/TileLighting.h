@@ -51,6 +51,8 @@ public:
   std::vector<TileLight> Lights;
   glm::vec3 Ambient{ 0.0f };
   float Power = 1.0f;
+  /** Whether ambient, diffuse and specular light have equal channels. */
+  bool IsGrey = true;
   /** Whether a light has a highlight, and one that begins with an edge. */
   bool HasHighlight = false, HasGlance = false;
   /** The tangent of the angle that the gradient may turn by in one piece. */

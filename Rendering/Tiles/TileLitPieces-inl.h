@@ -26,6 +26,7 @@ struct LitPieces
   ShadeVector First, Last, Length, Through, Depth, DepthRise;
   ShadeVector Gradient[3], GradientRise[3];
   ShadeVector Color[3], ColorRise[3];
+  ShadeVector ToEye[3]; // of length 1, as the light's ways
   ShadeIndex Piece, Fragment, Pixel;
 };
 

@@ -12,11 +12,13 @@
 #include "TileGradientOpacity-inl.h"
 #include "TileLight-inl.h"
 #include "TileLitPieces-inl.h"
+#include "TilePartColors-inl.h"
 #include "TileWays-inl.h"
 
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -28,7 +30,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 // As many cuts of a fragment are for light and gradient opacity.
 constexpr int MostBends = 256;
 
-/// `General`: with gradient opacity, other components, or without light.
+// Vectors whose ways are found before any is shaded.
+constexpr int Batch = 8;
+
 template <class LookUp, bool General>
 class TileLitShader
 {
@@ -42,6 +46,9 @@ public:
     , Light(*task.Lighting, *task.View, tile)
     , Opacity(*task.Lighting)
     , Colors(*task.Lighting)
+    , Kind{ *task.Lighting }
+    , PartColors(*task.Transfer, Kind, Light, Opacity, Colors)
+    , LengthPerWay(this->FindLengthPerWay())
   {
   }
 
@@ -54,13 +61,6 @@ public:
   }
 
 private:
-  bool HasOpacity() const { return General && this->Lighting.HasOpacity; }
-  bool HasColors() const
-  {
-    return General && this->Lighting.ColorKind != TileLighting::OwnColor;
-  }
-  bool IsLit() const { return !General || this->Lighting.IsLit; }
-
   HWY_INLINE ShadeVector ExtinctionAt(ShadeIndex piece, ShadeVector scalar) const
   {
     const auto value = ValueOf(this->Values, this->Transfer, 3, piece, scalar);
@@ -93,9 +93,9 @@ private:
     {
       const auto length = hn::Mul(hn::Mul(p.Length, part.End), hn::Set(d, 0.5f));
       const auto depth = hn::Mul(length, hn::Add(part.Front, part.Back));
-      part.End = this->IsLit() ? this->Light.FindBend(light, part.End, depth) : part.End;
-      part.End = this->HasOpacity() ? this->Opacity.FindBend(opacity, part.End) : part.End;
-      part.End = this->HasColors() ? this->Colors.FindBend(p, part.End) : part.End;
+      part.End = this->Kind.IsLit() ? this->Light.FindBend(light, part.End, depth) : part.End;
+      part.End = this->Kind.HasOpacity() ? this->Opacity.FindBend(opacity, part.End) : part.End;
+      part.End = this->Kind.HasColors() ? this->Colors.FindBend(p, part.End) : part.End;
     }
     const auto bent = hn::Lt(part.End, node);
     part.AtNode = hn::AndNot(bent, part.AtNode);
@@ -115,7 +115,7 @@ private:
     const ShadeFloat d;
     part.Length = hn::Mul(p.Length, part.End);
     auto front = hn::Mul(part.Front, part.Length), back = hn::Mul(part.Back, part.Length);
-    if (this->HasOpacity())
+    if (this->Kind.HasOpacity())
     {
       // Beside the ends: at a step of the gradient opacity they are on either side.
       const auto begin = hn::Mul(part.End, hn::Set(d, 0.02f));
@@ -145,129 +145,30 @@ private:
     part.Open = hn::Or(part.Open, thick);
   }
 
-  /// The colour at a share of a piece, times `weight`, added to a sum.
-  HWY_INLINE void AddColor(const LitPieces& p, const LitCourse& light, const LitPart& part,
-    ShadeVector at, ShadeVector weight, ShadeVector (&sum)[4]) const
-  {
-    const auto share = hn::Mul(part.End, at);
-    ShadeVector color[3];
-    if (this->HasColors())
-    {
-      this->Colors.At(p, share, color);
-    }
-    else
-    {
-      const auto scalar = hn::MulAdd(at, hn::Sub(part.LastScalar, p.First), p.First);
-      for (int k = 0; k < 3; ++k)
-      {
-        color[k] = ValueOf(this->Values, this->Transfer, k, p.Piece, scalar);
-      }
-    }
-    LitColors lit;
-    if (this->IsLit())
-    {
-      this->Light.Shine(p, light, share, lit);
-    }
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto shaded =
-        this->IsLit() ? hn::MulAdd(color[k], lit.Factor[k], lit.Highlight[k]) : color[k];
-      sum[k] = hn::MulAdd(weight, shaded, sum[k]);
-    }
-  }
-
-  /// Of extinction that is linear: alpha is exact, and the two nodes are Gauss nodes of the light
-  /// absorbed: sum, mean, mean square and nearly mean cube of its places, from -1 to 1.
-  HWY_INLINE void ShadeLinear(const LitPieces& p, const LitCourse& light, const LitPart& part,
-    ShadeVector (&color)[4]) const
-  {
-    const ShadeFloat d;
-    const auto alpha = Absorption(d, part.Depth);
-    const auto total = hn::Add(hn::Add(part.Front, part.Back), hn::Set(d, 1e-30f));
-    const auto lean = hn::Mul(hn::Sub(part.Back, part.Front), Reciprocal(d, total));
-    const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
-    const auto place = AbsorptionMean(d, part.Depth, lean);
-    const auto mean = hn::Sub(hn::Add(place, place), one);
-    // To second order in the optical depth.
-    const auto bend = hn::MulAdd(
-      lean, hn::Set(d, -1.0f / 15.0f), hn::Mul(part.Depth, hn::Set(d, 1.0f / 90.0f)));
-    const auto square = hn::MulAdd(part.Depth, bend, hn::Set(d, 1.0f / 3.0f));
-    // Exact where extinction is constant or rises from zero, and nothing is hidden.
-    const auto shift = hn::MulAdd(hn::Mul(mean, mean), hn::Set(d, 1.8f), hn::Set(d, 0.4f));
-    const auto middle = hn::Mul(mean, shift);
-    const auto variance = hn::MulAdd(middle, hn::Sub(middle, hn::Add(mean, mean)), square);
-    const auto inverse = InverseRoot(variance);
-    const auto apart = hn::Mul(hn::Mul(variance, inverse), half);
-    const auto behind =
-      hn::Mul(hn::Mul(alpha, half), hn::MulAdd(hn::Sub(mean, middle), inverse, one));
-    const auto center = hn::MulAdd(middle, half, half);
-    color[0] = color[1] = color[2] = hn::Zero(d);
-    this->AddColor(p, light, part, hn::Sub(center, apart), hn::Sub(alpha, behind), color);
-    this->AddColor(p, light, part, hn::Add(center, apart), behind, color);
-    color[3] = hn::Neg(alpha);
-  }
-
-  /// Of any extinction: three nodes for the optical depth, too.
-  HWY_INLINE void ShadeCurved(const LitPieces& p, const LitCourse& light,
-    const TileGradientOpacity::Course& opacity, const LitPart& part, ShadeVector (&color)[4]) const
-  {
-    const ShadeFloat d;
-    ShadeVector depth[3], absorbed[3];
-    auto whole = hn::Zero(d), total = hn::Set(d, 1e-30f);
-    for (int i = 0; i < 3; ++i)
-    {
-      const auto at = hn::Set(d, GaussNodes::Places[i]);
-      const auto extinction = hn::MulAdd(at, hn::Sub(part.Back, part.Front), part.Front);
-      const auto opened = this->Opacity.At(opacity, hn::Mul(part.End, at));
-      depth[i] = hn::Mul(hn::Mul(extinction, part.Length), opened);
-      whole = hn::MulAdd(hn::Set(d, GaussNodes::Weights[i]), depth[i], whole);
-    }
-    for (int i = 0; i < 3; ++i)
-    {
-      const auto before = hn::MulAdd(hn::Set(d, GaussNodes::Running[i][0]), depth[0],
-        hn::MulAdd(hn::Set(d, GaussNodes::Running[i][1]), depth[1],
-          hn::Mul(hn::Set(d, GaussNodes::Running[i][2]), depth[2])));
-      const auto weight = hn::Mul(hn::Set(d, GaussNodes::Weights[i]), depth[i]);
-      absorbed[i] = hn::Mul(weight, hn::Exp(d, hn::Neg(before)));
-      total = hn::Add(total, absorbed[i]);
-    }
-    const auto one = hn::Set(d, 1.0f);
-    const auto deep = hn::Sub(one, hn::Exp(d, hn::Neg(whole)));
-    const auto alpha = hn::IfThenElse(hn::Lt(whole, one), Absorption(d, whole), deep);
-    const auto scale = hn::Div(alpha, total);
-    color[0] = color[1] = color[2] = hn::Zero(d);
-    for (int i = 0; i < 3; ++i)
-    {
-      this->AddColor(
-        p, light, part, hn::Set(d, GaussNodes::Places[i]), hn::Mul(absorbed[i], scale), color);
-    }
-    color[3] = hn::Neg(alpha);
-  }
-
   HWY_INLINE void ShadePiece(const LitPieces& p, ShadeMask used, int pass, TileLitPieces& rest,
     ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
     LitCourse light;
     TileGradientOpacity::Course opacity;
-    if (this->IsLit())
+    if (this->Kind.IsLit())
     {
       this->Light.Begin(p, light);
     }
-    if (this->HasOpacity())
+    if (this->Kind.HasOpacity())
     {
       this->Opacity.Begin(p, opacity);
     }
     LitPart part;
     this->FindEnd(p, light, opacity, pass < MostBends, used, part);
     this->LimitDepth(p, opacity, used, part);
-    if (this->HasOpacity())
+    if (this->Kind.HasOpacity())
     {
-      this->ShadeCurved(p, light, opacity, part, color);
+      this->PartColors.ShadeCurved(p, light, opacity, part, color);
     }
     else
     {
-      this->ShadeLinear(p, light, part, color);
+      this->PartColors.ShadeLinear(p, light, part, color);
     }
     if (!hn::AllFalse(d, part.Open))
     {
@@ -275,7 +176,38 @@ private:
       // What is nearly opaque hides the rest.
       const auto seen = hn::And(part.Open, hn::Lt(hn::Set(d, 1e-7f), through));
       AppendPieces(
-        seen, p, part, through, { this->Light.HasPosition(), this->HasColors() }, rest);
+        seen, p, part, through, { this->Light.HasPosition(), this->Kind.HasColors() }, rest);
+    }
+  }
+
+  /// World length of a way of length 1 in the mesh, where it does not depend on the way.
+  float FindLengthPerWay() const
+  {
+    HWY_ALIGN float length[16], ways[16];
+    ShadeVector toEye[3];
+    const auto pixel = hn::Zero(ShadeInt());
+    this->Rays.FindToEye(pixel, toEye);
+    hn::Store(Dot(toEye, toEye), ShadeFloat(), ways);
+    hn::Store(this->Lengths.At(pixel), ShadeFloat(), length);
+    return length[0] / std::sqrt(ways[0]);
+  }
+
+  /// The piece's length, and the way to the eye.
+  HWY_INLINE void SetLength(const ShadeVector (&toEye)[3], LitPieces& p) const
+  {
+    if (this->Lighting.IsInView)
+    {
+      p.Length = hn::Mul(p.DepthRise, this->Lengths.At(p.Pixel));
+      this->Light.FindToEye(p.Pixel, p.ToEye);
+      return;
+    }
+    const auto square = Dot(toEye, toEye);
+    const auto inverse = InverseRoot(square);
+    const auto length = hn::Mul(hn::Mul(square, inverse), hn::Set(ShadeFloat(), this->LengthPerWay));
+    p.Length = hn::Mul(p.DepthRise, length);
+    for (int k = 0; k < 3; ++k)
+    {
+      p.ToEye[k] = hn::Mul(toEye[k], inverse);
     }
   }
 
@@ -286,6 +218,7 @@ private:
     ShadeVector point[3], way[3], toEye[3];
     this->Rays.FindOrigin(p.Pixel, point);
     this->Rays.FindToEye(p.Pixel, toEye);
+    this->SetLength(toEye, p);
     for (int k = 0; k < 3; ++k)
     {
       point[k] = hn::NegMulAdd(p.Depth, toEye[k], point[k]);
@@ -293,7 +226,7 @@ private:
       p.Gradient[k] = p.GradientRise[k] = p.Color[k] = p.ColorRise[k] = hn::Zero(d);
     }
     FieldRows rows;
-    if (this->IsLit() || this->HasOpacity())
+    if (this->Kind.IsLit() || this->Kind.HasOpacity())
     {
       rows.Load(*this->Task.Gradients, cells, used);
       rows.At(point, way, p.Gradient, p.GradientRise);
@@ -303,40 +236,54 @@ private:
       Turn(this->Lighting.GradientToView, p.Gradient);
       Turn(this->Lighting.GradientToView, p.GradientRise);
     }
-    if (this->HasColors())
+    if (this->Kind.HasColors())
     {
       rows.Load(*this->Task.Colors, cells, used);
       rows.At(point, way, p.Color, p.ColorRise);
     }
   }
 
-  void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
+  HWY_INLINE void FindFirstPiece(const TileFragments& q, int at, LitPieces& p) const
   {
     const ShadeFloat d;
     const ShadeInt di;
-    const int lanes = static_cast<int>(hn::Lanes(d));
     const auto scale = hn::Set(d, static_cast<float>(this->Task.View->WeightScale));
     const auto offset = hn::Set(d, static_cast<float>(this->Task.View->WeightOffset));
     const auto perWeight = hn::Set(d, static_cast<float>(-1.0 / this->Task.View->WeightOffset));
-    for (int at = 0; at < q.Count; at += lanes)
+    const FragmentEnds ends(q, at, scale, offset);
+    p.Pixel = hn::Load(di, q.Pixel + at);
+    p.DepthRise = ends.Depth;
+    p.Depth = hn::Mul(hn::Mul(ends.Entry, perWeight), hn::Mul(ends.WeightOut, ends.Inverse));
+    p.First = ends.First;
+    p.Last = ends.Last;
+    p.Through = hn::Set(d, 1.0f);
+    p.Piece = PieceOf(this->Values, this->Transfer, p.First);
+    p.Fragment = Ramp(di, at);
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
+  }
+
+  /// A few vectors' ways first, then their light: two chains of steps that wait for each other run
+  /// side by side over more vectors than one long one.
+  void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
+  {
+    const ShadeFloat d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    LitPieces pieces[Batch];
+    for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
-      const FragmentEnds ends(q, at, scale, offset);
-      LitPieces p;
-      p.Pixel = hn::Load(di, q.Pixel + at);
-      p.DepthRise = ends.Depth;
-      p.Depth =
-        hn::Mul(hn::Mul(ends.Entry, perWeight), hn::Mul(ends.WeightOut, ends.Inverse));
-      p.Length = hn::Mul(p.DepthRise, this->Lengths.At(p.Pixel));
-      p.First = ends.First;
-      p.Last = ends.Last;
-      p.Through = hn::Set(d, 1.0f);
-      p.Piece = PieceOf(this->Values, this->Transfer, p.First);
-      p.Fragment = Ramp(di, at);
-      this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
-      ShadeVector color[4];
-      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
-      this->ShadePiece(p, used, 0, rest, color);
-      StoreColors(color, at, q);
+      const int end = std::min(q.Count, begin + Batch * lanes);
+      for (int at = begin; at < end; at += lanes)
+      {
+        this->FindFirstPiece(q, at, pieces[(at - begin) / lanes]);
+      }
+      for (int at = begin; at < end; at += lanes)
+      {
+        ShadeVector color[4];
+        const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
+        this->ShadePiece(pieces[(at - begin) / lanes], used, 0, rest, color);
+        StoreColors(color, at, q);
+      }
     }
   }
 
@@ -349,7 +296,8 @@ private:
     {
       const int count = std::min(lanes, now.Count - at);
       LitPieces p;
-      LoadPieces(now, at, { this->Light.HasPosition(), this->HasColors() }, p);
+      LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, p);
+      this->Light.FindToEye(p.Pixel, p.ToEye);
       ShadeVector color[4];
       this->ShadePiece(p, hn::FirstN(d, static_cast<std::size_t>(count)), pass, next, color);
       for (auto& component : color)
@@ -369,6 +317,9 @@ private:
   const TileLightSource Light;
   const TileGradientOpacity Opacity;
   const TileComponentColors Colors;
+  const LitKind<General> Kind;
+  const TilePartColors<LookUp, General> PartColors;
+  const float LengthPerWay;
 };
 }
 }

@@ -18,7 +18,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cstring>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -116,36 +116,30 @@ struct FieldRows
 {
   ShadeVector Row[TileCellFields::Functions][4];
 
-  /// `cells`: ids, `used` of them.
+  /// `cells`: ids, `used` of them; those of one cell follow each other.
   HWY_INLINE void Load(const TileCellFields& fields, const int* cells, int used)
   {
     const ShadeFloat d;
     const ShadeInt di;
-    const float* values = fields.Values.data();
-    const auto first = hn::Set(di, cells[0]);
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    if (used >= lanes && hn::AllTrue(di, hn::Eq(hn::LoadU(di, cells), first)))
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(di, hn::Ne(hn::LoadU(di, cells), hn::LoadU(di, cells + 1)), bits);
+    // Bit k: lane k + 1 is of another cell than lane k.
+    unsigned int ends = (bits[0] | bits[1] << 8) & ((1u << (used - 1)) - 1);
+    const float* values = fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cells[0]);
+    for (int i = 0; i < TileCellFields::Stride; ++i)
     {
-      values += TileCellFields::Stride * static_cast<std::size_t>(cells[0]);
+      this->Row[i / 4][i % 4] = hn::Set(d, values[i]);
+    }
+    for (; ends != 0; ends &= ends - 1)
+    {
+      const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(ends) + 1;
+      const auto before = hn::FirstN(d, lane);
+      values = fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cells[lane]);
       for (int i = 0; i < TileCellFields::Stride; ++i)
       {
-        this->Row[i / 4][i % 4] = hn::Set(d, values[i]);
+        auto& row = this->Row[i / 4][i % 4];
+        row = hn::IfThenElse(before, row, hn::Set(d, values[i]));
       }
-      return;
-    }
-    HWY_ALIGN float records[TileCellFields::Functions][16][4];
-    for (int k = 0; k < lanes; ++k)
-    {
-      const auto cell = static_cast<std::size_t>(cells[std::min(k, used - 1)]);
-      for (int i = 0; i < TileCellFields::Functions; ++i)
-      {
-        std::memcpy(records[i][k], values + TileCellFields::Stride * cell + 4 * i, 16);
-      }
-    }
-    for (int i = 0; i < TileCellFields::Functions; ++i)
-    {
-      auto& row = this->Row[i];
-      hn::LoadInterleaved4(d, records[i][0], row[0], row[1], row[2], row[3]);
     }
   }
 

@@ -74,6 +74,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileMesh.h
   Rendering/Tiles/TileNeighbours.h
   Rendering/Tiles/TileOrder.h
+  Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h
   Rendering/Tiles/TilePlaces.h
   Rendering/Tiles/TileProjection.h
