@@ -30,8 +30,17 @@ namespace hn = hwy::HWY_NAMESPACE;
 // As many cuts of a fragment are for light and gradient opacity.
 constexpr int MostBends = 256;
 
-// Vectors whose ways are found before any is shaded.
-constexpr int Batch = 8;
+// Vectors that take each step together.
+constexpr int Batch = 4;
+
+/// A vector of pieces on its way through the steps.
+struct LitWork
+{
+  LitPieces Piece;
+  LitCourse Light;
+  TileGradientOpacity::Course Opacity;
+  LitPart Part;
+};
 
 template <class LookUp, bool General>
 class TileLitShader
@@ -145,38 +154,40 @@ private:
     part.Open = hn::Or(part.Open, thick);
   }
 
-  HWY_INLINE void ShadePiece(const LitPieces& p, ShadeMask used, int pass, TileLitPieces& rest,
-    ShadeVector (&color)[4]) const
+  /// How light and opacity change along a piece, and its first part.
+  HWY_INLINE void CutPiece(ShadeMask used, int pass, LitWork& w) const
   {
-    const ShadeFloat d;
-    LitCourse light;
-    TileGradientOpacity::Course opacity;
     if (this->Kind.IsLit())
     {
-      this->Light.Begin(p, light);
+      this->Light.Begin(w.Piece, w.Light);
     }
     if (this->Kind.HasOpacity())
     {
-      this->Opacity.Begin(p, opacity);
+      this->Opacity.Begin(w.Piece, w.Opacity);
     }
-    LitPart part;
-    this->FindEnd(p, light, opacity, pass < MostBends, used, part);
-    this->LimitDepth(p, opacity, used, part);
+    this->FindEnd(w.Piece, w.Light, w.Opacity, pass < MostBends, used, w.Part);
+    this->LimitDepth(w.Piece, w.Opacity, used, w.Part);
+  }
+
+  /// The part's colour; what is left behind it waits.
+  HWY_INLINE void ColorPart(const LitWork& w, TileLitPieces& rest, ShadeVector (&color)[4]) const
+  {
+    const ShadeFloat d;
     if (this->Kind.HasOpacity())
     {
-      this->PartColors.ShadeCurved(p, light, opacity, part, color);
+      this->PartColors.ShadeCurved(w.Piece, w.Light, w.Opacity, w.Part, color);
     }
     else
     {
-      this->PartColors.ShadeLinear(p, light, part, color);
+      this->PartColors.ShadeLinear(w.Piece, w.Light, w.Part, color);
     }
-    if (!hn::AllFalse(d, part.Open))
+    if (!hn::AllFalse(d, w.Part.Open))
     {
-      const auto through = hn::MulAdd(p.Through, color[3], p.Through);
+      const auto through = hn::MulAdd(w.Piece.Through, color[3], w.Piece.Through);
       // What is nearly opaque hides the rest.
-      const auto seen = hn::And(part.Open, hn::Lt(hn::Set(d, 1e-7f), through));
-      AppendPieces(
-        seen, p, part, through, { this->Light.HasPosition(), this->Kind.HasColors() }, rest);
+      const auto seen = hn::And(w.Part.Open, hn::Lt(hn::Set(d, 1e-7f), through));
+      AppendPieces(seen, w.Piece, w.Part, through,
+        { this->Light.HasPosition(), this->Kind.HasColors() }, rest);
     }
   }
 
@@ -263,26 +274,29 @@ private:
     this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
   }
 
-  /// A few vectors' ways first, then their light: two chains of steps that wait for each other run
-  /// side by side over more vectors than one long one.
+  /// Step after step over a few vectors: within one, steps wait for each other.
   void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    LitPieces pieces[Batch];
+    LitWork work[Batch];
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
-      const int end = std::min(q.Count, begin + Batch * lanes);
-      for (int at = begin; at < end; at += lanes)
+      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
+      for (int i = 0; i < count; ++i)
       {
-        this->FindFirstPiece(q, at, pieces[(at - begin) / lanes]);
+        this->FindFirstPiece(q, begin + i * lanes, work[i].Piece);
       }
-      for (int at = begin; at < end; at += lanes)
+      for (int i = 0; i < count; ++i)
+      {
+        const auto left = static_cast<std::size_t>(q.Count - begin - i * lanes);
+        this->CutPiece(hn::FirstN(d, left), 0, work[i]);
+      }
+      for (int i = 0; i < count; ++i)
       {
         ShadeVector color[4];
-        const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
-        this->ShadePiece(pieces[(at - begin) / lanes], used, 0, rest, color);
-        StoreColors(color, at, q);
+        this->ColorPart(work[i], rest, color);
+        StoreColors(color, begin + i * lanes, q);
       }
     }
   }
@@ -292,17 +306,18 @@ private:
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
+    LitWork work;
     for (int at = 0; at < now.Count; at += lanes)
     {
       const int count = std::min(lanes, now.Count - at);
-      LitPieces p;
-      LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, p);
-      this->Light.FindToEye(p.Pixel, p.ToEye);
+      LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, work.Piece);
+      this->Light.FindToEye(work.Piece.Pixel, work.Piece.ToEye);
       ShadeVector color[4];
-      this->ShadePiece(p, hn::FirstN(d, static_cast<std::size_t>(count)), pass, next, color);
+      this->CutPiece(hn::FirstN(d, static_cast<std::size_t>(count)), pass, work);
+      this->ColorPart(work, next, color);
       for (auto& component : color)
       {
-        component = hn::Mul(component, p.Through);
+        component = hn::Mul(component, work.Piece.Through);
       }
       AddColors(color, now.Fragment + at, count, q);
     }
