@@ -25,8 +25,6 @@ struct TileFragments
   alignas(64) int Pixel[Capacity];
   /** Where they are named (NamesCells): the cell's id. */
   alignas(64) int Cell[Capacity];
-  /** u where the ray leaves; composited: where the piece before it in its pixel did. */
-  alignas(64) float Exit[Capacity];
   /** Shaded: premultiplied red, green, blue, and minus alpha, in slots (TileColors-inl.h). */
   alignas(64) float Slots[Capacity][4];
 
