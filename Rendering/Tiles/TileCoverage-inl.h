@@ -138,6 +138,37 @@ HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, 
   return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
+/// What is linear over the pixels of a block, and its steps to the next block.
+struct BlockWalk
+{
+  CoverVector Row, StepX, StepY;
+
+  HWY_INLINE void Begin(
+    float a, float b, float p, CoverVector x, CoverVector y, const BlockShapes::Shape& shape)
+  {
+    const CoverFloat d;
+    this->Row = hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
+    this->StepX = hn::Set(d, a * static_cast<float>(shape.Width));
+    this->StepY = hn::Set(d, b * static_cast<float>(shape.Height));
+  }
+};
+
+/// Between the `Entries` entry planes and the others: the last entry, and the first exit.
+template <int Entries>
+HWY_INLINE void FindInside(const CoverVector (&at)[5], CoverVector& entry, CoverVector& exit)
+{
+  entry = at[0];
+  exit = at[Entries];
+  for (int f = 1; f < Entries; ++f)
+  {
+    entry = hn::Min(entry, at[f]);
+  }
+  for (int f = Entries + 1; f < 4; ++f)
+  {
+    exit = hn::Max(exit, at[f]);
+  }
+}
+
 /// One cell of a group: `faces` has the `Entries` entry faces first.
 template <int Entries>
 void CoverCell(
@@ -146,52 +177,44 @@ void CoverCell(
   const CoverFloat d;
   const CoverInt di;
   const auto x = hn::Load(d, shape.X), y = hn::Load(d, shape.Y);
-  const auto pixels = hn::Load(di, shape.Pixel);
-  CoverVector row[5], stepX[5], stepY[5];
-  for (int f = 0; f < 5; ++f)
+  BlockWalk walks[5];
+  for (int f = 0; f < 4; ++f)
   {
-    const float a = f < 4 ? g.A[faces[f]][k] : g.ScalarA[k];
-    const float b = f < 4 ? g.B[faces[f]][k] : g.ScalarB[k];
-    const float p = f < 4 ? g.P[faces[f]][k] : g.ScalarP[k];
-    row[f] = hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
-    stepX[f] = hn::Set(d, a * static_cast<float>(shape.Width));
-    stepY[f] = hn::Set(d, b * static_cast<float>(shape.Height));
+    walks[f].Begin(g.A[faces[f]][k], g.B[faces[f]][k], g.P[faces[f]][k], x, y, shape);
   }
+  walks[4].Begin(g.ScalarA[k], g.ScalarB[k], g.ScalarP[k], x, y, shape);
   const auto perU = hn::Set(d, g.ScalarU[k]);
   const int width = g.Width[k], height = g.Height[k];
+  const auto right = hn::Set(d, static_cast<float>(width));
+  const auto across = hn::Set(d, static_cast<float>(shape.Width));
+  const auto pixels = hn::Load(di, shape.Pixel);
   // A copy: the compiler must take it that every store may change the count.
   int count = out.Count;
   for (int top = 0; top < height; top += shape.Height)
   {
-    CoverVector at[5] = { row[0], row[1], row[2], row[3], row[4] };
+    CoverVector at[5];
+    for (int f = 0; f < 5; ++f)
+    {
+      at[f] = walks[f].Row;
+      walks[f].Row = hn::Add(walks[f].Row, walks[f].StepY);
+    }
+    auto column = x;
+    auto pixel = hn::Add(pixels, hn::Set(di, (g.Bottom[k] + top) * TileSize::Pixels + g.Left[k]));
     const auto inRows = hn::Lt(y, hn::Set(d, static_cast<float>(height - top)));
     for (int left = 0; left < width; left += shape.Width)
     {
-      auto entry = at[0], exit = at[Entries];
-      for (int f = 1; f < Entries; ++f)
-      {
-        entry = hn::Min(entry, at[f]);
-      }
-      for (int f = Entries + 1; f < 4; ++f)
-      {
-        exit = hn::Max(exit, at[f]);
-      }
-      const auto inBox = hn::And(inRows, hn::Lt(x, hn::Set(d, static_cast<float>(width - left))));
-      const auto covered = hn::And(inBox, hn::Lt(exit, entry));
-      if (!hn::AllFalse(d, covered))
-      {
-        const int corner = (g.Bottom[k] + top) * TileSize::Pixels + g.Left[k] + left;
-        count = AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, at[4]),
-          hn::MulAdd(perU, exit, at[4]), hn::Add(pixels, hn::Set(di, corner)), count, out);
-      }
+      CoverVector entry, exit;
+      FindInside<Entries>(at, entry, exit);
+      const auto inBox = hn::And(inRows, hn::Lt(column, right));
+      // Appended where none is covered, too: a branch that is guessed wrong costs more.
+      count = AppendFragments(hn::And(inBox, hn::Lt(exit, entry)), entry, exit,
+        hn::MulAdd(perU, entry, at[4]), hn::MulAdd(perU, exit, at[4]), pixel, count, out);
+      column = hn::Add(column, across);
+      pixel = hn::Add(pixel, hn::Set(di, shape.Width));
       for (int f = 0; f < 5; ++f)
       {
-        at[f] = hn::Add(at[f], stepX[f]);
+        at[f] = hn::Add(at[f], walks[f].StepX);
       }
-    }
-    for (int f = 0; f < 5; ++f)
-    {
-      row[f] = hn::Add(row[f], stepY[f]);
     }
   }
   out.Count = count;
