@@ -86,12 +86,19 @@ private:
   float Terms[6];
 };
 
-/// Pieces about to be shaded, one per lane.
+/// Pieces about to be shaded, one per lane, and the first part of each.
 struct ShadePieces
 {
   ShadeVector First, Last, Length, Through;
   ShadeIndex Piece, Fragment;
+  // The part: where it ends, extinction at both ends, optical depth; whether a node or the depth
+  // cuts it.
+  ShadeVector End, Part, Front, Back, Depth;
+  ShadeMask Cut, Thick;
 };
+
+// Vectors that take each step together.
+constexpr int ShadeBatch = 8;
 
 template <class LookUp>
 class TileShader
@@ -109,12 +116,7 @@ public:
   long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
     return ShadeInPasses(
-      fragments.Count, remainders,
-      [&](TileRemainders& rest)
-      {
-        this->FindFirstPieces(fragments, remainders[1]);
-        this->ShadeFirstPieces(remainders[1], fragments, rest);
-      },
+      fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
       [&](int, const TileRemainders& now, TileRemainders& next)
       { this->ShadeRemainders(fragments, now, next); });
   }
@@ -132,56 +134,68 @@ private:
     return hn::Min(hn::Div(hn::Set(d, 2.0f), sum), hn::Set(d, 1.0f));
   }
 
-  HWY_INLINE void ShadePiece(
-    const ShadePieces& p, ShadeMask used, TileRemainders& rest, ShadeVector (&color)[4]) const
+  /// One where the scalar rises.
+  static HWY_INLINE ShadeIndex Rises(const ShadePieces& p)
+  {
+    const ShadeInt di;
+    const auto rising = hn::RebindMask(di, hn::Lt(p.First, p.Last));
+    return hn::IfThenElseZero(rising, hn::Set(di, 1));
+  }
+
+  /// Cuts at the transfer function's node.
+  HWY_INLINE void CutAtNode(ShadeMask used, ShadePieces& p) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
-    const TileTransfer& t = this->Transfer;
     const auto rise = hn::Sub(p.Last, p.First);
-    const auto slope = this->Values(t.Slopes[3].data(), p.Piece);
-    const auto offset = this->Values(t.Offsets[3].data(), p.Piece);
-    const auto rising = hn::Lt(hn::Zero(d), rise);
-    const auto one = hn::IfThenElseZero(hn::RebindMask(di, rising), hn::Set(di, 1));
-    const auto bound = this->Values(t.Bounds.data(), hn::Add(p.Piece, one));
-    const auto cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
-    auto end = p.Last, part = p.Length;
-    if (!hn::AllFalse(d, cut))
+    const auto bound = this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p)));
+    p.Cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
+    p.End = p.Last;
+    p.Part = p.Length;
+    if (!hn::AllFalse(d, p.Cut))
     {
       const auto share = hn::Div(hn::Sub(bound, p.First), rise);
-      end = hn::IfThenElse(cut, bound, end);
-      part = hn::IfThenElse(cut, hn::Min(hn::Mul(part, share), part), part);
+      p.End = hn::IfThenElse(p.Cut, bound, p.End);
+      p.Part = hn::IfThenElse(p.Cut, hn::Min(hn::Mul(p.Part, share), p.Part), p.Part);
     }
-    const auto front = hn::Max(hn::MulAdd(slope, p.First, offset), hn::Zero(d));
-    auto back = hn::Max(hn::MulAdd(slope, end, offset), hn::Zero(d));
+  }
+
+  /// The optical depth; cuts where it would pass 1.
+  HWY_INLINE void LimitDepth(ShadeMask used, ShadePieces& p) const
+  {
+    const ShadeFloat d;
+    const auto slope = this->Values(this->Transfer.Slopes[3].data(), p.Piece);
+    const auto offset = this->Values(this->Transfer.Offsets[3].data(), p.Piece);
+    p.Front = hn::Max(hn::MulAdd(slope, p.First, offset), hn::Zero(d));
+    p.Back = hn::Max(hn::MulAdd(slope, p.End, offset), hn::Zero(d));
     const auto half = hn::Set(d, 0.5f);
-    auto depth = hn::Mul(hn::Mul(part, half), hn::Add(front, back));
-    const auto thick = hn::And(hn::Lt(hn::Set(d, 1.0f), depth), used);
-    if (!hn::AllFalse(d, thick))
+    p.Depth = hn::Mul(hn::Mul(p.Part, half), hn::Add(p.Front, p.Back));
+    p.Thick = hn::And(hn::Lt(hn::Set(d, 1.0f), p.Depth), used);
+    if (!hn::AllFalse(d, p.Thick))
     {
-      const auto share = this->ShareOfDepthOne(front, back, part);
-      end = hn::IfThenElse(thick, hn::MulAdd(share, hn::Sub(end, p.First), p.First), end);
-      part = hn::IfThenElse(thick, hn::Mul(part, share), part);
-      back = hn::Max(hn::MulAdd(slope, end, offset), hn::Zero(d));
-      depth = hn::Mul(hn::Mul(part, half), hn::Add(front, back));
-      depth = hn::Min(depth, hn::Set(d, 1.0f));
+      const auto share = this->ShareOfDepthOne(p.Front, p.Back, p.Part);
+      p.End = hn::IfThenElse(p.Thick, hn::MulAdd(share, hn::Sub(p.End, p.First), p.First), p.End);
+      p.Part = hn::IfThenElse(p.Thick, hn::Mul(p.Part, share), p.Part);
+      p.Back = hn::Max(hn::MulAdd(slope, p.End, offset), hn::Zero(d));
+      const auto depth = hn::Mul(hn::Mul(p.Part, half), hn::Add(p.Front, p.Back));
+      p.Depth = hn::Min(depth, hn::Set(d, 1.0f));
     }
-    const auto alpha = Absorption(d, depth);
-    const auto open = hn::Or(cut, thick);
+  }
+
+  /// The part's colour; what is left behind it waits.
+  HWY_INLINE void ColorPart(
+    const ShadePieces& p, TileRemainders& rest, ShadeVector (&color)[4]) const
+  {
+    const ShadeFloat d;
+    const TileTransfer& t = this->Transfer;
+    const auto alpha = Absorption(d, p.Depth);
+    const auto open = hn::Or(p.Cut, p.Thick);
     if (!hn::AllFalse(d, open))
     {
-      ShadePieces left = p;
-      left.First = end;
-      left.Length = hn::Sub(p.Length, part);
-      left.Through = hn::NegMulAdd(p.Through, alpha, p.Through);
-      const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(one, one)), hn::Set(di, 1));
-      left.Piece = hn::IfThenElse(hn::RebindMask(di, thick), p.Piece, beside);
-      // What is nearly opaque hides the rest.
-      this->Append(hn::And(open, hn::Lt(hn::Set(d, 1e-7f), left.Through)), left, rest);
+      this->AppendRest(p, open, alpha, rest);
     }
-    const auto total = hn::Add(hn::Add(front, back), hn::Set(d, 1e-30f));
-    const auto lean = hn::Mul(hn::Sub(back, front), Reciprocal(d, total));
-    const auto mean = hn::MulAdd(AbsorptionMean(d, depth, lean), hn::Sub(end, p.First), p.First);
+    const auto total = hn::Add(hn::Add(p.Front, p.Back), hn::Set(d, 1e-30f));
+    const auto lean = hn::Mul(hn::Sub(p.Back, p.Front), Reciprocal(d, total));
+    const auto mean = hn::MulAdd(AbsorptionMean(d, p.Depth, lean), hn::Sub(p.End, p.First), p.First);
     for (int k = 0; k < 3; ++k)
     {
       const auto value = hn::MulAdd(this->Values(t.Slopes[k].data(), p.Piece), mean,
@@ -189,6 +203,22 @@ private:
       color[k] = hn::Mul(alpha, value);
     }
     color[3] = hn::Neg(alpha);
+  }
+
+  HWY_INLINE void AppendRest(
+    const ShadePieces& p, ShadeMask open, ShadeVector alpha, TileRemainders& rest) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    ShadePieces left = p;
+    left.First = p.End;
+    left.Length = hn::Sub(p.Length, p.Part);
+    left.Through = hn::NegMulAdd(p.Through, alpha, p.Through);
+    const auto rises = Rises(p);
+    const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(rises, rises)), hn::Set(di, 1));
+    left.Piece = hn::IfThenElse(hn::RebindMask(di, p.Thick), p.Piece, beside);
+    // What is nearly opaque hides the rest.
+    this->Append(hn::And(open, hn::Lt(hn::Set(d, 1e-7f), left.Through)), left, rest);
   }
 
   HWY_INLINE void Append(ShadeMask which, const ShadePieces& p, TileRemainders& rest) const
@@ -206,43 +236,45 @@ private:
     rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
   }
 
-  /// Apart from the shading: two short chains of steps that wait for each other run side by side
-  /// over more vectors than a long one.
-  void FindFirstPieces(const TileFragments& q, TileRemainders& out) const
+  HWY_INLINE void FindFirstPiece(const TileFragments& q, int at, ShadePieces& p) const
   {
     const ShadeFloat d;
     const ShadeInt di;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const auto scale = hn::Set(d, this->WeightScale), offset = hn::Set(d, this->WeightOffset);
-    for (int at = 0; at < q.Count; at += lanes)
-    {
-      const FragmentEnds ends(q, at, scale, offset);
-      const auto length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
-      hn::Store(length, d, out.Length + at);
-      hn::Store(ends.First, d, out.First + at);
-      hn::Store(ends.Last, d, out.Last + at);
-      hn::Store(PieceOf(this->Values, this->Transfer, ends.First), di, out.Piece + at);
-    }
+    const FragmentEnds ends(
+      q, at, hn::Set(d, this->WeightScale), hn::Set(d, this->WeightOffset));
+    p.Length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
+    p.First = ends.First;
+    p.Last = ends.Last;
+    p.Through = hn::Set(d, 1.0f);
+    p.Piece = PieceOf(this->Values, this->Transfer, p.First);
+    p.Fragment = Ramp(di, at);
   }
 
-  void ShadeFirstPieces(const TileRemainders& first, TileFragments& q, TileRemainders& rest) const
+  /// Step after step over a few vectors: within one, steps wait for each other.
+  void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    for (int at = 0; at < q.Count; at += lanes)
+    ShadePieces pieces[ShadeBatch];
+    for (int begin = 0; begin < q.Count; begin += ShadeBatch * lanes)
     {
-      ShadePieces p;
-      p.First = hn::Load(d, first.First + at);
-      p.Last = hn::Load(d, first.Last + at);
-      p.Length = hn::Load(d, first.Length + at);
-      p.Through = hn::Set(d, 1.0f);
-      p.Piece = hn::Load(di, first.Piece + at);
-      p.Fragment = Ramp(di, at);
-      ShadeVector color[4];
-      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
-      this->ShadePiece(p, used, rest, color);
-      StoreColors(color, at, q);
+      const int count = (std::min(q.Count - begin, ShadeBatch * lanes) + lanes - 1) / lanes;
+      for (int i = 0; i < count; ++i)
+      {
+        this->FindFirstPiece(q, begin + i * lanes, pieces[i]);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes));
+        this->CutAtNode(used, pieces[i]);
+        this->LimitDepth(used, pieces[i]);
+      }
+      for (int i = 0; i < count; ++i)
+      {
+        ShadeVector color[4];
+        this->ColorPart(pieces[i], rest, color);
+        StoreColors(color, begin + i * lanes, q);
+      }
     }
   }
 
@@ -265,7 +297,9 @@ private:
       p.Piece = hn::IfThenElseZero(usedInt, hn::Load(di, now.Piece + at));
       p.Fragment = hn::Load(di, now.Fragment + at);
       ShadeVector color[4];
-      this->ShadePiece(p, used, next, color);
+      this->CutAtNode(used, p);
+      this->LimitDepth(used, p);
+      this->ColorPart(p, next, color);
       for (int k = 0; k < 4; ++k)
       {
         color[k] = hn::Mul(color[k], p.Through);
