@@ -14,6 +14,8 @@
 namespace
 {
 constexpr vtkIdType Grain = 16384;
+// So many spheres are on their way from memory while others are written.
+constexpr std::ptrdiff_t Ahead = 16;
 
 // The first item of another key than the one before it.
 vtkIdType BeginOfRuns(const RadixSort::Item* items, vtkIdType begin, vtkIdType count)
@@ -140,6 +142,11 @@ void PowerCells::WriteRuns(
     for (; isCell && items + 1 < end && items[0].Key != items[1].Key; ++items)
     {
       *to++ = items->Id;
+    }
+    if (!isCell && end - items > 2 * Ahead)
+    {
+      this->Shared.FetchBegin(items[2 * Ahead].Id);
+      this->Shared.FetchCells(items[Ahead].Id);
     }
     const RadixSort::Item* next = EndOfRun(items, end);
     if (next - items == 1)

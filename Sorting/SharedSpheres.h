@@ -12,6 +12,8 @@
 
 #include "vtkType.h"
 
+#include <hwy/cache_control.h>
+
 #include <cstdint>
 #include <vector>
 
@@ -29,6 +31,13 @@ public:
   vtkIdType CountCells(std::uint32_t sphere) const
   {
     return this->Begins[sphere + 1] - this->Begins[sphere];
+  }
+
+  /** Asks the memory for where a sphere's cells begin, or, that at hand, for the cells. */
+  void FetchBegin(std::uint32_t sphere) const { hwy::Prefetch(&this->Begins[sphere]); }
+  void FetchCells(std::uint32_t sphere) const
+  {
+    hwy::Prefetch(this->Cells.data() + this->Begins[sphere]);
   }
 
   /** Writes the ids of a sphere's cells, smallest first; returns where the next one goes. */
