@@ -70,7 +70,7 @@ void TwoEndedSort::FindFewNext(int begin, int end)
     const int first = links.Begin(cell);
     const int reversed = this->IsFar(cell) ? 0 : 1;
     const int listed = this->Halves[cell];
-    int next[SignedLinks::FewLinks + 1] = {};
+    WaitingCell& own = this->Cells[cell];
     int count = 0;
     int before = 0;
     for (int i = 0; i < SignedLinks::FewLinks; ++i)
@@ -78,10 +78,10 @@ void TwoEndedSort::FindFewNext(int begin, int end)
       const int across = links.CompareAcross(first + i, reversed);
       before += across < 0 ? 1 : 0;
       // Written in any case, kept where it counts.
-      next[count] = links.GetNeighbor(first + i);
+      own.Next[count] = links.GetNeighbor(first + i);
       count += (across > 0 ? 1 : 0) & listed >> i;
     }
-    this->Cells[cell] = { { next[0], next[1], next[2], before * WaitingCell::Unit + count } };
+    own.State() = before * WaitingCell::Unit + count;
   }
 }
 
