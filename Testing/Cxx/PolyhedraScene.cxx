@@ -154,12 +154,6 @@ void PolyhedraScene::SetMesh(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-vtkIdType PolyhedraScene::GetStatistic(const char* column)
-{
-  return this->Mapper->GetLastStatistics()->GetValueByName(0, column).ToLongLong();
-}
-
-//------------------------------------------------------------------------------
 int PolyhedraScene::CountLitPixels()
 {
   vtkImageData* image = this->Mapper->GetCapturedImage();

@@ -35,11 +35,9 @@ public:
   void SetFunctions();
   /// One colour and an extinction that is linear in the scalar: so is the emission.
   void SetLinearEmission();
-  void SetMesh(vtkUnstructuredGrid* grid);
+  void SetMesh(vtkUnstructuredGrid* grid) override;
   bool IsAdditive() const;
 
-  /// Of the last frame.
-  vtkIdType GetStatistic(const char* column);
   /// Pixels of the captured image that are not 0.
   int CountLitPixels();
 

@@ -1,14 +1,12 @@
 // The approximations in a scene: each setter changes the image, and what the scene cuts is cut.
 
+#include "OpaquePlane.h"
 #include "GroupSort.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
 
-#include "vtkActor.h"
 #include "vtkConvexCells.h"
 #include "vtkPlane.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
@@ -136,15 +134,7 @@ void CheckCuts(TestChecks& checks)
     CHECK_NEAR(clipped / whole, 0.45 / 0.8, 0.1);
     mapper->RemoveAllClippingPlanes();
 
-    vtkNew<vtkPlaneSource> source;
-    source->SetOrigin(-2.0, -2.0, -0.1);
-    source->SetPoint1(2.0, -2.0, -0.1);
-    source->SetPoint2(-2.0, 2.0, -0.1);
-    vtkNew<vtkPolyDataMapper> surface;
-    surface->SetInputConnection(source->GetOutputPort());
-    vtkNew<vtkActor> actor;
-    actor->SetMapper(surface);
-    scene.Renderer->AddActor(actor);
+    OpaquePlane::Add(scene, -0.1, -0.1);
     scene.Render();
     const double seen = -std::log(1.0 - scene.CenterPixel()[3]);
     CHECK_NEAR(seen / whole, 0.5 / 0.8, 0.1);

@@ -65,12 +65,7 @@ void CheckViewports(TestChecks& checks)
   vtkNew<GroupSort> sort;
   scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.SetGrid(TestMeshes::SixTetrahedra());
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  second->AddVolume(scene.Volume);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  scene.Window->AddRenderer(second);
+  scene.AddSecondViewport();
   for (int frame = 0; frame < 2; ++frame)
   {
     const double error = scene.MaximumError("second viewport");

@@ -2,6 +2,7 @@
 // counts once, what is not a number is left out, each has a vertex of its own number. Drawn, they give the image of the surfaces found
 // ray by ray in the cells, straight into the window as through the captured image.
 
+#include "OpaquePlane.h"
 #include "IsoTriangles.h"
 #include "NumberedTriangles.h"
 #include "TestMeshes.h"
@@ -9,15 +10,12 @@
 #include "vtkBarycentricShellMapper.h"
 #include "vtkConvexCells.h"
 
-#include "vtkActor.h"
 #include "vtkContourValues.h"
 #include "vtkFloatArray.h"
 #include "vtkIdList.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
@@ -318,15 +316,7 @@ int CountDifferent(vtkUnsignedCharArray* a, vtkUnsignedCharArray* b)
 void CheckWindow(TestChecks& checks)
 {
   SurfaceScene scene;
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-2.0, -2.0, 0.15);
-  source->SetPoint1(2.0, -2.0, 0.15);
-  source->SetPoint2(-2.0, 2.0, 0.15);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  scene.Renderer->AddActor(actor);
+  OpaquePlane::Add(scene, 0.15, 0.15);
   scene.Window->SetSize(2 * Size + 30, Size + 20);
   scene.Renderer->SetViewport(0.3, 0.2, 0.9, 0.9);
   scene.Renderer->GetActiveCamera()->SetClippingRange(0.5, 4.0);

@@ -1,64 +1,29 @@
 // M5, M8: opaque geometry through cells hides what lies behind it, per pixel, in multisampled
 // windows too; clipping planes cut per pixel, in world coordinates.
 
+#include "OpaquePlane.h"
 #include "PolyhedraMeshes.h"
 #include "PolyhedraScene.h"
 #include "TestMeshes.h"
 
-#include "vtkActor.h"
 #include "vtkCellType.h"
-#include "vtkFloatArray.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkProperty.h"
 
 namespace
 {
-// z = .2 x, black.
-void AddOpaquePlane(TestScene& scene)
-{
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-2.0, -2.0, -0.4);
-  source->SetPoint1(2.0, -2.0, 0.4);
-  source->SetPoint2(-2.0, 2.0, -0.4);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetColor(0.0, 0.0, 0.0);
-  actor->GetProperty()->LightingOff();
-  scene.Renderer->AddActor(actor);
-}
-
-// The plane's depth at the centre of every pixel of the parallel view from (0, 0, 2).
-vtkSmartPointer<vtkFloatArray> PlaneDepths(TestScene& scene)
-{
-  const int* size = scene.Renderer->GetSize();
-  const double* range = scene.Renderer->GetActiveCamera()->GetClippingRange();
-  auto depths = vtkSmartPointer<vtkFloatArray>::New();
-  for (int pixel = 0; pixel < size[0] * size[1]; ++pixel)
-  {
-    const double worldX = 0.9 * (2.0 * (pixel % size[0] + 0.5) / size[0] - 1.0);
-    const double distance = 2.0 - 0.2 * worldX;
-    depths->InsertNextValue(static_cast<float>((distance - range[0]) / (range[1] - range[0])));
-  }
-  return depths;
-}
-
 void CheckOpaque(TestChecks& checks, const PolyhedraMappers::Entry& mapper, int samples)
 {
   PolyhedraScene scene(mapper.Make());
   scene.Window->SetMultiSamples(samples);
   scene.SetMesh(PolyhedraMeshes::Hexahedra(3));
-  AddOpaquePlane(scene);
+  OpaquePlane::AddSlanted(scene);
   scene.LookFrom(0.0, 0.0, 2.0);
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   camera->ParallelProjectionOn();
   camera->SetParallelScale(0.9);
   camera->SetClippingRange(1.0, 3.0);
-  scene.Oracle->SetOpaqueDepth(PlaneDepths(scene));
+  scene.Oracle->SetOpaqueDepth(OpaquePlane::DepthsOfSlanted(scene));
   const std::string name = mapper.Name + ", samples " + std::to_string(samples);
   const PolyhedraScene::Errors errors = scene.CompareWithOracle(name);
   // The z-buffer's own 24 bits are 1e-7 of the depth; a sample of a multisampled pixel lies up to
@@ -82,7 +47,7 @@ void CheckHalf(TestChecks& checks, const PolyhedraMappers::Entry& mapper)
   PolyhedraScene scene(mapper.Make());
   scene.SetMesh(TestMeshes::Cube(VTK_HEXAHEDRON));
   scene.SetConstant(1.0);
-  AddOpaquePlane(scene);
+  OpaquePlane::AddSlanted(scene);
   scene.LookFrom(0.0, 0.0, 2.0);
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(0.9);

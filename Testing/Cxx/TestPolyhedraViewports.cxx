@@ -46,15 +46,10 @@ void CheckTwoViewports(TestChecks& checks, const PolyhedraMappers::Entry& mapper
   scene.Window->SetMultiSamples(samples);
   scene.SetMesh(PolyhedraMeshes::Hexahedra(3));
   SetHalfOpaqueRed(scene);
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  scene.Window->AddRenderer(second);
+  auto second = scene.AddSecondViewport();
   scene.LookFrom(0.5, 0.8, 4.0);
   scene.Renderer->SetBackground(0.0, 0.0, 1.0);
   second->SetBackground(0.0, 0.0, 1.0);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  second->AddVolume(scene.Volume);
   scene.Window->Render();
   const int* size = scene.Mapper->GetCapturedImage()->GetDimensions();
   CHECK(size[0] == 128 && size[1] == 128);

@@ -1,8 +1,11 @@
 #include "TestScene.h"
 
 #include "FaceOrderSort.h"
+#include "vtkConvexCells.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
+#include "vtkTable.h"
+#include "vtkVariant.h"
 
 #include <algorithm>
 #include <cmath>
@@ -169,6 +172,52 @@ std::array<double, 4> TestScene::CenterPixel()
 {
   const int* size = this->Renderer->GetSize();
   return this->Pixel(size[0] / 2, size[1] / 2);
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetMesh(vtkUnstructuredGrid* grid)
+{
+  vtkNew<vtkConvexCells> cut;
+  cut->SetInputData(grid);
+  cut->TetrahedraOnlyOn();
+  cut->Update();
+  this->Mapper->SetInputData(grid);
+  this->Oracle->SetInputData(cut->GetOutput());
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkRenderer> TestScene::AddSecondViewport()
+{
+  auto second = vtkSmartPointer<vtkRenderer>::New();
+  this->Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
+  second->SetViewport(0.5, 0.0, 1.0, 1.0);
+  second->AddVolume(this->Volume);
+  second->SetActiveCamera(this->Renderer->GetActiveCamera());
+  this->Window->AddRenderer(second);
+  return second;
+}
+
+//------------------------------------------------------------------------------
+vtkIdType TestScene::GetStatistic(const char* column)
+{
+  return this->Mapper->GetLastStatistics()->GetValueByName(0, column).ToLongLong();
+}
+
+//------------------------------------------------------------------------------
+void TestScene::SetReportSmooth(vtkUnstructuredGrid* grid)
+{
+  double range[2];
+  grid->GetScalarRange(range);
+  const auto at = [&range](double share) { return range[0] + share * (range[1] - range[0]); };
+  this->Color->RemoveAllPoints();
+  this->Color->AddRGBPoint(at(0.0), 0.1, 0.2, 0.8);
+  this->Color->AddRGBPoint(at(0.35), 0.2, 0.9, 0.9);
+  this->Color->AddRGBPoint(at(1.0), 1.0, 0.3, 0.1);
+  this->Opacity->RemoveAllPoints();
+  this->Opacity->AddPoint(at(0.0), 0.02);
+  this->Opacity->AddPoint(at(0.3), 0.2);
+  this->Opacity->AddPoint(at(1.0), 1.0);
+  this->Property->SetScalarOpacityUnitDistance(grid->GetLength() / 20.0);
 }
 
 //------------------------------------------------------------------------------

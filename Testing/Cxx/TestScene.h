@@ -63,6 +63,7 @@ public:
   explicit TestScene(vtkConvexCellMapper* mapper, int width = 128, int height = 128);
   /// Lets CELLPROJECTION_TEST_ENGINE choose the mapper's engine.
   void TakeTestEngine();
+  virtual ~TestScene() = default;
 
   /// The largest difference between the captured image and the oracle; below zero where either
   /// failed. Prints all the figures.
@@ -80,11 +81,20 @@ public:
   /// A copy of the image captured last.
   vtkSmartPointer<vtkImageData> CopyCaptured();
   void SetGrid(vtkUnstructuredGrid* grid);
+  /// Any cells: the oracle sees the tetrahedra that are drawn.
+  virtual void SetMesh(vtkUnstructuredGrid* grid);
+  /// Beside the first, each in its half of the window, with the same volume and camera.
+  vtkSmartPointer<vtkRenderer> AddSecondViewport();
+  /// Of the last frame.
+  vtkIdType GetStatistic(const char* column);
   /// Constant colour and extinction (per unit distance 1).
   void SetConstant(double opacity);
   /// Nine points with spikes; `smooth` has three.
   void SetSpiky();
   void SetSmooth();
+  /// The smooth function of the report over the scalars of `grid`: opacity that rises to 1 over a
+  /// twentieth of its diagonal.
+  void SetReportSmooth(vtkUnstructuredGrid* grid);
   void LookFrom(double x, double y, double z);
   /// The mapper where it is that of tetrahedra, else null.
   vtkPreIntegratedTetrahedraMapper* GetTetrahedraMapper();

@@ -65,19 +65,7 @@ void CheckMesh(TestChecks& checks, TestScene& scene, const std::string& name, Me
 // 1.4e-2. With twice as many points the bounds hold.
 void CheckReportFunction(TestChecks& checks, TestScene& scene, const std::string& name)
 {
-  double range[2];
-  auto* grid = vtkUnstructuredGrid::SafeDownCast(scene.Mapper->GetInput());
-  grid->GetScalarRange(range);
-  const auto at = [&range](double share) { return range[0] + share * (range[1] - range[0]); };
-  scene.Color->RemoveAllPoints();
-  scene.Color->AddRGBPoint(at(0.0), 0.1, 0.2, 0.8);
-  scene.Color->AddRGBPoint(at(0.35), 0.2, 0.9, 0.9);
-  scene.Color->AddRGBPoint(at(1.0), 1.0, 0.3, 0.1);
-  scene.Opacity->RemoveAllPoints();
-  scene.Opacity->AddPoint(at(0.0), 0.02);
-  scene.Opacity->AddPoint(at(0.3), 0.2);
-  scene.Opacity->AddPoint(at(1.0), 1.0);
-  scene.Property->SetScalarOpacityUnitDistance(grid->GetLength() / 20.0);
+  scene.SetReportSmooth(vtkUnstructuredGrid::SafeDownCast(scene.Mapper->GetInput()));
   auto* mapper = vtkBarycentricShellMapper::SafeDownCast(scene.Mapper);
   const auto check = [&](const char* integration, double samples, double share)
   {

@@ -1,21 +1,17 @@
 // M2 to M11 of the usual defects, for each way in which vtkBarycentricShellMapper draws: in shells,
 // by cell projection, and iso-surfaces where they can have the defect. M1 is in TestShellProjection.
 
+#include "OpaquePlane.h"
 #include "PolyhedraMeshes.h"
 #include "SortMeshes.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
 #include "vtkBarycentricShellMapper.h"
-#include "vtkConvexCells.h"
 
-#include "vtkActor.h"
 #include "vtkCellType.h"
 #include "vtkContourValues.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPlaneSource.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkVariant.h"
 
@@ -52,26 +48,12 @@ public:
   }
   /// What the way's integral is held to.
   double GetBound() const { return this->IsInOrder ? 2e-4 : 1e-3; }
-  // The oracle sees the tetrahedra that are drawn.
-  void SetMesh(vtkUnstructuredGrid* grid)
-  {
-    vtkNew<vtkConvexCells> cut;
-    cut->SetInputData(grid);
-    cut->TetrahedraOnlyOn();
-    cut->Update();
-    this->Mapper->SetInputData(grid);
-    this->Oracle->SetInputData(cut->GetOutput());
-  }
   void LookAlongAxis()
   {
     this->LookFrom(0.0, 0.0, 3.0);
     this->Renderer->GetActiveCamera()->ParallelProjectionOn();
     this->Renderer->GetActiveCamera()->SetParallelScale(0.6);
     this->Renderer->GetActiveCamera()->SetClippingRange(1.0, 5.0);
-  }
-  int GetStatistic(const char* column)
-  {
-    return this->Mapper->GetLastStatistics()->GetValueByName(0, column).ToInt();
   }
   void CheckExact(TestChecks& checks, const std::string& name)
   {
@@ -149,19 +131,6 @@ void CheckInside(TestChecks& checks, Way way)
   }
 }
 
-void AddPlane(TestScene& scene, double z)
-{
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-2.0, -2.0, z);
-  source->SetPoint1(2.0, -2.0, z);
-  source->SetPoint2(-2.0, 2.0, z);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  scene.Renderer->AddActor(actor);
-}
-
 // M5: an opaque plane through the cells leaves the front part; a surface behind it is hidden.
 void CheckOpaque(TestChecks& checks, Way way)
 {
@@ -171,7 +140,7 @@ void CheckOpaque(TestChecks& checks, Way way)
   auto grid = TestMeshes::SixTetrahedra();
   TestMeshes::SetField(grid, Depth);
   scene.SetGrid(grid);
-  AddPlane(scene, 0.1);
+  OpaquePlane::Add(scene, 0.1, 0.1);
   scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.55);
   scene.Render();
   CHECK_NEAR(scene.CenterPixel()[3], way == Surfaces ? 0.0 : 1.0 - std::exp(-0.4), scene.GetBound());
@@ -225,12 +194,7 @@ void CheckViewports(TestChecks& checks, Way way)
   scene.Render();
   const int lit = scene.CountLit();
   scene.Window->SetSize(2 * Size, Size);
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  second->AddVolume(scene.Volume);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  scene.Window->AddRenderer(second);
+  scene.AddSecondViewport();
   scene.Render();
   CHECK(lit > 100 && scene.CountLit() == lit);
   CHECK(CountWrong(scene, 0) == 0);

@@ -2,14 +2,13 @@
 // near planes in the mesh, viewports, cells of every type, transparent cells. Meshes that are
 // cyclic, concave or shuffled need nothing special.
 
+#include "OpaquePlane.h"
 #include "PolyhedraMeshes.h"
 #include "SortMeshes.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
 #include "vtkBarycentricShellMapper.h"
-#include "vtkConvexCells.h"
 
-#include "vtkActor.h"
 #include "vtkCellData.h"
 #include "vtkCellType.h"
 #include "vtkDoubleArray.h"
@@ -17,10 +16,7 @@
 #include "vtkIdList.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkPlaneSource.h"
 #include "vtkPointData.h"
-#include "vtkPolyDataMapper.h"
-#include "vtkTable.h"
 #include "vtkVariant.h"
 
 namespace
@@ -33,20 +29,6 @@ public:
   ShellScene()
     : TestScene(vtkNew<vtkBarycentricShellMapper>(), 64, 64)
   {
-  }
-  // The oracle sees the tetrahedra that are drawn.
-  void SetMesh(vtkUnstructuredGrid* grid)
-  {
-    vtkNew<vtkConvexCells> cut;
-    cut->SetInputData(grid);
-    cut->TetrahedraOnlyOn();
-    cut->Update();
-    this->Mapper->SetInputData(grid);
-    this->Oracle->SetInputData(cut->GetOutput());
-  }
-  int GetStatistic(const char* column)
-  {
-    return this->Mapper->GetLastStatistics()->GetValueByName(0, column).ToInt();
   }
 };
 
@@ -61,15 +43,7 @@ void CheckOpaque(TestChecks& checks)
 {
   ShellScene scene;
   scene.SetMesh(TestMeshes::SixTetrahedra());
-  vtkNew<vtkPlaneSource> source;
-  source->SetOrigin(-2.0, -2.0, 0.1);
-  source->SetPoint1(2.0, -2.0, 0.1);
-  source->SetPoint2(-2.0, 2.0, 0.1);
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputConnection(source->GetOutputPort());
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  scene.Renderer->AddActor(actor);
+  OpaquePlane::Add(scene, 0.1, 0.1);
   scene.LookFrom(0.0, 0.0, 2.0);
   scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
   scene.Renderer->GetActiveCamera()->SetParallelScale(0.9);
@@ -118,12 +92,7 @@ void CheckViewports(TestChecks& checks)
   ShellScene scene;
   scene.SetMesh(TestMeshes::SixTetrahedra());
   scene.Window->SetSize(128, 64);
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  second->AddVolume(scene.Volume);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  scene.Window->AddRenderer(second);
+  scene.AddSecondViewport();
   CHECK_EXACT(scene, "second viewport");
   scene.Window->SetSize(160, 80);
   CHECK_EXACT(scene, "another size");

@@ -14,21 +14,6 @@ namespace
 constexpr int Skipped = 125;
 constexpr double Bound = 1e-4;
 
-void SetFunctions(TestScene& scene, vtkUnstructuredGrid* grid)
-{
-  double range[2];
-  grid->GetPointData()->GetScalars()->GetRange(range);
-  const auto at = [&](double share) { return range[0] + share * (range[1] - range[0]); };
-  scene.Color->RemoveAllPoints();
-  scene.Color->AddRGBPoint(at(0.0), 0.1, 0.2, 0.8);
-  scene.Color->AddRGBPoint(at(1.0), 1.0, 0.3, 0.1);
-  scene.Opacity->RemoveAllPoints();
-  scene.Opacity->AddPoint(at(0.0), 0.02);
-  scene.Opacity->AddPoint(at(0.3), 0.2);
-  scene.Opacity->AddPoint(at(1.0), 1.0);
-  scene.Property->SetScalarOpacityUnitDistance(grid->GetLength() / 20.0);
-}
-
 vtkSmartPointer<vtkImageData> Draw(TestScene& scene, int engine)
 {
   scene.Mapper->SetEngine(engine);
@@ -49,7 +34,7 @@ int TestTilesBluntFin(int, char*[])
   TestScene scene(96, 96);
   scene.GetTetrahedraMapper()->SetVisibilitySort(nullptr);
   scene.SetGrid(grid);
-  SetFunctions(scene, grid);
+  scene.SetReportSmooth(grid);
   for (const double angle : { 0.7, 2.3, 4.0 })
   {
     scene.LookFrom(0.8 * std::cos(angle), -0.6, 0.8 * std::sin(angle));

@@ -157,12 +157,7 @@ void CheckViewports(TestChecks& checks)
   scene.Mapper->AutoAdjustSampleDistancesOff();
   scene.Mapper->SetImageSampleDistance(3.0f);
   scene.LookFrom(0.5, 0.8, 2.2);
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  second->AddVolume(scene.Volume);
-  scene.Window->AddRenderer(second);
+  scene.AddSecondViewport();
   scene.Window->Render();
   CHECK(scene.Mapper->GetCapturedImage()->GetDimensions()[0] == Width);
   for (const int x : { 20, 60, 75, 90, 130 })

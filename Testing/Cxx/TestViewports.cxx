@@ -23,15 +23,10 @@ void CheckTwoViewports(TestChecks& checks, int samples)
   scene.SetConstant(5.0);
   scene.Color->RemoveAllPoints();
   scene.Color->AddRGBPoint(0.0, 1.0, 0.0, 0.0);
-  vtkNew<vtkRenderer> second;
-  scene.Renderer->SetViewport(0.0, 0.0, 0.5, 1.0);
-  second->SetViewport(0.5, 0.0, 1.0, 1.0);
-  scene.Window->AddRenderer(second);
+  auto second = scene.AddSecondViewport();
   scene.LookFrom(0.5, 0.8, 4.0);
   scene.Renderer->SetBackground(0.0, 0.0, 1.0);
   second->SetBackground(0.0, 0.0, 1.0);
-  second->SetActiveCamera(scene.Renderer->GetActiveCamera());
-  second->AddVolume(scene.Volume);
   scene.Window->Render();
   const int* size = scene.Mapper->GetCapturedImage()->GetDimensions();
   CHECK(size[0] == 128 && size[1] == 128);
