@@ -15,6 +15,8 @@
 #include "vtkObjectFactory.h"
 #include "vtkPointData.h"
 #include "vtkPoints.h"
+#include "vtkPowerVisibilitySort.h"
+#include "vtkSMPTools.h"
 #include "vtkTransform.h"
 #include "vtkUnsignedCharArray.h"
 #include "vtkUnstructuredGrid.h"
@@ -248,6 +250,28 @@ void TestWithoutFill(TestChecks& checks)
   CHECK(at.Sort->IsOrderProven());
 }
 
+// One thread and all give the same order, over cells for several blocks and shares.
+template <class Sort>
+void TestThreads(TestChecks& checks, bool convexify)
+{
+  auto lattice = SortMeshes::Kuhn(SortMeshes::JitteredLattice(16, 0.2));
+  auto grid = SortMeshes::Select(lattice, [](vtkIdType cell) { return cell % 97 != 0; });
+  for (SortTesting::Eye& eye : SortTesting::FewEyes(grid))
+  {
+    vtkNew<Sort> all;
+    all->SetConvexify(convexify);
+    const Order expected = SortTesting::OrderOf(all, grid, eye);
+    CHECK(SortTesting::IsPermutation(expected, grid->GetNumberOfCells()));
+    vtkSMPTools::LocalScope(vtkSMPTools::Config(1),
+      [&]
+      {
+        vtkNew<Sort> one;
+        one->SetConvexify(convexify);
+        CHECK(SortTesting::OrderOf(one, grid, eye) == expected);
+      });
+  }
+}
+
 void TestNothing(TestChecks& checks)
 {
   vtkNew<vtkMPVOVisibilitySort> sort;
@@ -274,6 +298,9 @@ int TestMPVOSort(int, char*[])
   TestCameras(checks);
   TestStereo(checks);
   TestWithoutFill(checks);
+  TestThreads<vtkMPVOVisibilitySort>(checks, true);
+  TestThreads<vtkMPVOVisibilitySort>(checks, false);
+  TestThreads<vtkPowerVisibilitySort>(checks, false);
   TestNothing(checks);
   return checks.Result();
 }
