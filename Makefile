@@ -55,4 +55,4 @@ sanitize:
 	@Module/sanitize.sh
 
 clean:
-	rm -rf build build-newest build-sanitize-thread
+	rm -rf build build-newest build-sanitize-thread build-sanitize-address

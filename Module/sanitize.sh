@@ -1,11 +1,18 @@
 #!/bin/sh
-# The kernels of the Tiles engines and their tests with ThreadSanitizer, in build-sanitize-thread.
+# The kernels of the Tiles engines and their tests with ThreadSanitizer and with AddressSanitizer, in a folder of its
+# own each.
 set -eu
 cd "$(dirname "$0")/.."
-folder=build-sanitize-thread
-cmake -S Module -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCELLPROJECTION_SANITIZE=thread >/dev/null
-cmake --build "$folder"
-cd "$folder"
+root=$PWD
 # TBB is not instrumented: the threads and locks of STDThread are what the sanitizer sees.
-VTK_SMP_BACKEND_IN_USE=STDThread TSAN_OPTIONS="suppressions=../Module/sanitize-threads.txt" \
-  ctest --output-on-failure --no-tests=error
+export VTK_SMP_BACKEND_IN_USE=STDThread
+export TSAN_OPTIONS="suppressions=$root/Module/sanitize-threads.txt"
+# What VTK and the drivers keep to the end is not ours.
+export ASAN_OPTIONS=detect_leaks=0
+for sanitizer in thread address
+do
+  folder=$root/build-sanitize-$sanitizer
+  cmake -S Module -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCELLPROJECTION_SANITIZE=$sanitizer >/dev/null
+  cmake --build "$folder"
+  (cd "$folder" && ctest --output-on-failure --no-tests=error)
+done
