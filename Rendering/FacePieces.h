@@ -12,7 +12,8 @@
  * @class FacePieces
  * @brief Faces as quadrilaterals of two triangles each, and their shape.
  *
- * A face is a fan of triangles from its first point, its smallest id. Two neighbouring triangles of
+ * A face is a fan of triangles from its first point: its smallest id, or where nodes on its edges
+ * make triangles flat, the smallest of those with the fewest. Two neighbouring triangles of
  * the fan are a piece: corners v0, v1, v2, v3 with the diagonal v0 v2; a single triangle has no v3.
  * On a piece the scalar is linear in each triangle:
  *

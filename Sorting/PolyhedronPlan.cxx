@@ -2,8 +2,13 @@
 
 #include "ConePlan.h"
 #include "ConvexityTest.h"
+#include "FaceTriangles.h"
 
 #include "vtkCellType.h"
+#include "vtkMath.h"
+
+#include <algorithm>
+#include <array>
 
 namespace
 {
@@ -32,6 +37,41 @@ double SumVolumes(const PolyhedronSurface& surface, const double (*points)[3])
     [&](int, int a, int b, int c)
     { sum += TetrahedralSplit::SixVolumes(points[0], points[a], points[b], points[c]); });
   return sum;
+}
+
+// Of length 1, as wound; 0 where the face has no area.
+void NormalOf(const Solid& solid, int face, const double (*points)[3], double normal[3])
+{
+  std::fill_n(normal, 3, 0.0);
+  const int* begin = solid.Begin(face);
+  for (const int* at = begin + 2; at < solid.End(face); ++at)
+  {
+    double u[3], v[3], cross[3];
+    vtkMath::Subtract(points[at[-1]], points[*begin], u);
+    vtkMath::Subtract(points[*at], points[*begin], v);
+    vtkMath::Cross(u, v, cross);
+    vtkMath::Add(normal, cross, normal);
+  }
+  vtkMath::Normalize(normal);
+}
+
+// Whether two of a convex cell's faces lie in one plane, as beside a refined cell of an octree: where
+// a ray enters, their planes do not tell which one holds the scalar.
+bool HasDividedSide(const Solid& solid, const double (*points)[3])
+{
+  constexpr double Together = 1.0 - 0.5 * FaceTriangles::Straight * FaceTriangles::Straight;
+  std::vector<std::array<double, 3>> normals(solid.NumberOfFaces);
+  for (int face = 0; face < solid.NumberOfFaces; ++face)
+  {
+    NormalOf(solid, face, points, normals[face].data());
+    const auto isSame = [&](const std::array<double, 3>& other)
+    { return vtkMath::Dot(other.data(), normals[face].data()) >= Together; };
+    if (std::any_of(normals.begin(), normals.begin() + face, isSame))
+    {
+      return true;
+    }
+  }
+  return false;
 }
 
 void WriteWhole(const Solid& solid, const vtkIdType* named, const ConvexCellArrays& arrays,
@@ -77,7 +117,8 @@ ConvexCellPlan PlanPolyhedron(
   plan.Inverted = surface.GetNumberOfTurnedFaces() > 0;
   const Solid solid = surface.GetSolid();
   plan.NonConvex = cut == ConvexCellCut::NonConvex &&
-                   !ConvexityTest::IsConvex(solid, surface.GetIds().data(), points, 1.0);
+                   (!ConvexityTest::IsConvex(solid, surface.GetIds().data(), points, 1.0) ||
+                     HasDividedSide(solid, points));
   if (cut == ConvexCellCut::All || plan.NonConvex)
   {
     const FaceTriangles triangles(solid, surface.GetIds().data(), points);

@@ -22,7 +22,9 @@
  * of its faces the normals of these triangles are within 60 degrees of each other, every corner off
  * the face lies inside the plane of each triangle within 1e-9 of the cell's size, and a face of
  * five or more corners is planar within 1e-5 of its size: hexahedra with slightly warped faces stay
- * whole. Tetrahedra, and voxels that are boxes along the axes, are not tested.
+ * whole. A polyhedron with two faces in one plane (within 1e-4 radians), as beside a refined cell of
+ * an octree, is cut like one that is not convex: rays that enter cannot tell such faces apart.
+ * Tetrahedra, and voxels that are boxes along the axes, are not tested.
  *
  * A cell whose tetrahedra from the smallest id have both signs, or not all a volume, is split from
  * another of its corners where one sees the whole surface, or else from a point within that does

@@ -3,6 +3,7 @@
 // is right: there the tetrahedra are ours.)
 #include "CellZoo.h"
 #include "ConvexCellsTesting.h"
+#include "HangingMeshes.h"
 #undef CHECK
 #include "PolyhedraScene.h"
 #include "TestMeshes.h"
@@ -53,10 +54,35 @@ void Settle(vtkUnstructuredGrid* grid)
     grid, [](const double* x) { return 0.5 + 0.4 * x[0] - 0.25 * x[1] + 0.3 * x[2]; });
 }
 
-// One cell of each type as VTK has it, and a block of all kinds side by side.
+// Polyhedra with nodes in the middle of edges; turned in floats, so that rounding bends faces, some
+// go out as tetrahedra, whose faces are cut otherwise than those of the whole cells beside them.
+Grid Octree(bool isTurned)
+{
+  auto grid = HangingMeshes::MakeOctree(4, [](const std::array<double, 3>& middle, int size)
+    { return middle[0] + middle[1] + middle[2] < 3.5 * size; });
+  vtkNew<vtkPoints> turned;
+  turned->SetDataType(isTurned ? VTK_FLOAT : VTK_DOUBLE);
+  for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
+  {
+    const double* p = grid->GetPoint(id);
+    const double along[3] = { .48 * p[0] - .6 * p[1] + .64 * p[2],
+      .36 * p[0] + .8 * p[1] + .48 * p[2], -.8 * p[0] + .6 * p[2] };
+    turned->InsertNextPoint(isTurned ? along : p);
+  }
+  grid->SetPoints(turned);
+  return grid;
+}
+
+// One cell of each type as VTK has it, octrees, and a block of all kinds side by side.
 std::vector<Mesh> Meshes()
 {
-  std::vector<Mesh> meshes = { { "polyhedron", Polyhedron() } };
+  std::vector<Mesh> meshes = { { "polyhedron", Polyhedron() }, { "octree", Octree(false) },
+    { "turned octree", Octree(true) } };
+  for (const int hanging : { 1, 2, 3 })
+  {
+    meshes.push_back(
+      { std::to_string(hanging) + " nodes on each edge", HangingMeshes::MakeBoxes(hanging) });
+  }
   for (const int type : CellZoo::AllTypes())
   {
     meshes.push_back({ "type " + std::to_string(type), CellZoo::Reference(type) });
