@@ -12,6 +12,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <array>
 #include <functional>
 #include <numeric>
 
@@ -154,6 +155,27 @@ void CheckConvexCells(TestChecks& checks, Engine& engine)
       return engine.GetImage();
     });
 }
+
+// An image without pixels, or with too many, is no frame; the next one is drawn again.
+template <class Engine>
+void CheckSizes(TestChecks& checks, Engine& engine)
+{
+  TileArrays arrays(1);
+  arrays.SetFunction(false, 10.0);
+  LookAt(arrays, 0);
+  ConvexTilesFrame::Scene scene;
+  scene.Function = arrays.Scene.Function;
+  for (const auto& size : { std::array<int, 2>{ 0, 64 }, { 64, 0 }, { 0, 0 }, { -1, 64 },
+         { TileSize::LargestImage + 1, 64 } })
+  {
+    scene.Camera = arrays.Scene.Camera;
+    scene.Camera.Width = size[0];
+    scene.Camera.Height = size[1];
+    CHECK(!engine.Render(scene));
+  }
+  scene.Camera = arrays.Scene.Camera;
+  CHECK(engine.Render(scene));
+}
 }
 
 int TestTilesKernels(int, char*[])
@@ -167,10 +189,12 @@ int TestTilesKernels(int, char*[])
   emission.SetScalars(mesh.Scalars, false);
   emission.SetDrawn(mesh.Drawn);
   CheckConvexCells(checks, emission);
+  CheckSizes(checks, emission);
   ExtremumTilesEngine extremum;
   extremum.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
   extremum.SetScalars(mesh.Scalars, false, false);
   extremum.SetDrawn(mesh.Drawn);
   CheckConvexCells(checks, extremum);
+  CheckSizes(checks, extremum);
   return checks.Result();
 }
