@@ -49,7 +49,7 @@ pythonpath:
 test-newest:
 	@Module/NewestVTK/test.sh $(LABEL)
 
-# The kernels of the Tiles engines and their tests with ThreadSanitizer.
+# The kernels of the Tiles engines and their tests with ThreadSanitizer and AddressSanitizer.
 sanitize:
 	@Module/setup.sh
 	@Module/sanitize.sh
