@@ -251,6 +251,12 @@ void CheckStar(bool isPolyhedron, const std::vector<vtkIdType>& star)
     CHECK(tolerance < 0.05 || filter->GetNumberOfFoldedCells() == 0);
     CHECK(filter->GetOutput()->GetNumberOfPoints() > grid->GetNumberOfPoints() + 1);
     CHECK_EQUAL(CountOpenEdges(filter->GetOutput()), 0);
+    vtkNew<vtkIdList> uses; // no point was added twice
+    for (vtkIdType id = grid->GetNumberOfPoints(); id < filter->GetOutput()->GetNumberOfPoints(); ++id)
+    {
+      filter->GetOutput()->GetPointCells(id, uses);
+      CHECK(uses->GetNumberOfIds() > 0);
+    }
   }
 }
 }
