@@ -71,6 +71,7 @@ void Convexifier::FindExterior()
 ConvexificationResult Convexifier::Run()
 {
   this->FindExterior();
+  // Ends: no part is cut by a plane twice (CutSelection::CanCut), and planes are the mesh's own triangles'.
   while (!this->Open.empty())
   {
     ExteriorPart part = std::move(this->Open.back());

@@ -165,6 +165,12 @@ bool FaceTriangles::SeesAll(int apex, double sign, double flatness) const
 {
   const double flat =
     flatness > 0.0 ? flatness * TetrahedralSplit::SizeOf(this->Points, this->NumberOfVertices) : 0.0;
+  // A node that was taken out of the faces sees no less, but its neighbours do not have it.
+  if (std::none_of(this->Triangles.begin(), this->Triangles.end(),
+        [&](const Triangle& t) { return this->Touches(t, apex); }))
+  {
+    return false;
+  }
   double seen = 0.0, hidden = 0.0;
   for (const Triangle& t : this->Triangles)
   {

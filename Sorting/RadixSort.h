@@ -10,7 +10,7 @@
  * so that the result does not depend on the number of threads.
  *
  * Linear in the number of items, but for keys that differ in their last 8 bits alone; nothing is
- * allocated for other keys while the number does not grow.
+ * allocated for other keys while the number does not grow, but a thread's own bucket of 512 KB at most.
  */
 #ifndef RadixSort_h
 #define RadixSort_h

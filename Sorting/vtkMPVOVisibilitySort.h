@@ -18,11 +18,12 @@
  * With Convexify off the order follows the shared faces alone. In the far half of the mesh cells with
  * nothing behind them come from the farthest centre on; the near half is sorted from its end, cells
  * with nothing before them from the nearest centre on (in the spirit of Williams' MPVO-NC). It is
- * right for convex meshes, often for others, and not proven.
+ * right for convex meshes, often for others, and not proven: an eye amid the cells of a mesh with gaps
+ * may get parts of it the wrong way round.
  *
  * Any linear 3-D cells, mixed. Cells of other kinds are returned too, in no particular place. The
  * order is computed again only where the eye has crossed the plane of a face, or the mesh has
- * changed.
+ * changed. Up to 2^29 cells.
  */
 
 #ifndef vtkMPVOVisibilitySort_h

@@ -49,14 +49,11 @@ void TileLighting::Build(
     {
       this->AddLight(light, shading);
     }
-    this->IsGrey = ::IsGrey(this->Ambient) &&
-      std::all_of(this->Lights.begin(), this->Lights.end(),
-        [](const TileLight& light)
-        { return ::IsGrey(light.Ambient) && ::IsGrey(light.Diffuse) && ::IsGrey(light.Specular); });
+    this->IsGrey = this->HasGreyLights();
     this->HasGlance = this->HasHighlight && this->Power < 2.0f;
     this->SetGreatestTurn();
   }
-  this->SetSpace(shading, camera.MeshToView);
+  this->SetSpace(shading, camera);
   this->HasOpacity = shading.HasGradientOpacity;
   if (this->HasOpacity)
   {
@@ -70,6 +67,15 @@ void TileLighting::Build(
   {
     this->ColorFunction.Build(shading.Colors.Function, 0.0);
   }
+}
+
+//------------------------------------------------------------------------------
+bool TileLighting::HasGreyLights() const
+{
+  return ::IsGrey(this->Ambient) &&
+         std::all_of(this->Lights.begin(), this->Lights.end(),
+           [](const TileLight& light)
+           { return ::IsGrey(light.Ambient) && ::IsGrey(light.Diffuse) && ::IsGrey(light.Specular); });
 }
 
 //------------------------------------------------------------------------------
@@ -94,9 +100,11 @@ void TileLighting::AddLight(const SceneLight& light, const VolumeShading& shadin
 }
 
 //------------------------------------------------------------------------------
-void TileLighting::SetSpace(const VolumeShading& shading, const glm::dmat4& meshToView)
+void TileLighting::SetSpace(const VolumeShading& shading, const TileView::Camera& camera)
 {
+  const glm::dmat4& meshToView = camera.MeshToView;
   this->IsInView = !KeepsAngles(glm::dmat3(meshToView));
+  this->HasOneScale = !this->IsInView && KeepsAngles(glm::dmat3(camera.ViewToWorld));
   this->GradientToView = shading.GradientToView;
   this->GradientScale = shading.GradientScale;
   this->ScreenToLights = this->IsInView ? meshToView * this->ScreenToMesh : this->ScreenToMesh;

@@ -64,6 +64,8 @@ public:
   float GradientScale = 1.0f;
   /** Whether gradients are turned to the view, and how. */
   bool IsInView = false;
+  /** Whether lengths in the world are those in the mesh times a number. */
+  bool HasOneScale = false;
   glm::mat3 GradientToView{ 1.0f };
 
   enum ColorKinds
@@ -84,7 +86,8 @@ private:
 
   void AddLight(const SceneLight& light, const VolumeShading& shading);
   void SetGreatestTurn();
-  void SetSpace(const VolumeShading& shading, const glm::dmat4& meshToView);
+  void SetSpace(const VolumeShading& shading, const TileView::Camera& camera);
+  bool HasGreyLights() const;
   void MoveLights(const glm::dmat4& viewToMesh, float scale);
 };
 

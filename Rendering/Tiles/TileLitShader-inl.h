@@ -191,22 +191,27 @@ private:
     }
   }
 
-  /// World length of a way of length 1 in the mesh, where it does not depend on the way.
+  /// World length of a way of length 1 in the mesh; 0 where it depends on the way, or where the
+  /// way's square is not for floats.
   float FindLengthPerWay() const
   {
+    if (!this->Lighting.HasOneScale)
+    {
+      return 0.0f;
+    }
     HWY_ALIGN float length[16], ways[16];
     ShadeVector toEye[3];
     const auto pixel = hn::Zero(ShadeInt());
     this->Rays.FindToEye(pixel, toEye);
     hn::Store(Dot(toEye, toEye), ShadeFloat(), ways);
     hn::Store(this->Lengths.At(pixel), ShadeFloat(), length);
-    return length[0] / std::sqrt(ways[0]);
+    return ways[0] > 1e-30f && ways[0] < 1e30f ? length[0] / std::sqrt(ways[0]) : 0.0f;
   }
 
   /// The piece's length, and the way to the eye.
   HWY_INLINE void SetLength(const ShadeVector (&toEye)[3], LitPieces& p) const
   {
-    if (this->Lighting.IsInView)
+    if (this->LengthPerWay == 0.0f)
     {
       p.Length = hn::Mul(p.DepthRise, this->Lengths.At(p.Pixel));
       this->Light.FindToEye(p.Pixel, p.ToEye);
@@ -214,8 +219,8 @@ private:
     }
     const auto square = Dot(toEye, toEye);
     const auto inverse = InverseRoot(square);
-    const auto length = hn::Mul(hn::Mul(square, inverse), hn::Set(ShadeFloat(), this->LengthPerWay));
-    p.Length = hn::Mul(p.DepthRise, length);
+    const auto perWay = hn::Set(ShadeFloat(), this->LengthPerWay);
+    p.Length = hn::Mul(p.DepthRise, hn::Mul(hn::Mul(square, inverse), perWay));
     for (int k = 0; k < 3; ++k)
     {
       p.ToEye[k] = hn::Mul(toEye[k], inverse);

@@ -8,8 +8,8 @@ uniform float distantPower;
 vec3 shade(vec3 colour, float share)
 {
   vec3 gradient = gradientAt(share);
-  float square = dot(gradient, gradient);
-  vec3 normal = gradient * inversesqrt(max(square, 1e-30));
+  float size = length(gradient);
+  vec3 normal = gradient / max(size, 1e-30);
   float facing = dot(normal, toEye);
   vec3 scattered = distantAmbient;
   vec3 mirrored = vec3(0.0);
@@ -20,7 +20,7 @@ vec3 shade(vec3 colour, float share)
     if (hasHighlights)
     {
       float glance = 2.0 * cosine * facing - dot(distantLights[3 * i], toEye);
-      float shine = square > 0.0 && glance > 0.0 ? pow(glance, distantPower) : 0.0;
+      float shine = size > 0.0 && glance > 0.0 ? pow(glance, distantPower) : 0.0;
       mirrored += shine * distantLights[3 * i + 2];
     }
   }

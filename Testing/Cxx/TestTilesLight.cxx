@@ -11,7 +11,11 @@
 #include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
+#include "vtkTransform.h"
 #include "vtkVariant.h"
+
+#include <hwy/highway.h>
+#include <hwy/targets.h>
 
 namespace
 {
@@ -36,6 +40,7 @@ public:
     light->SetConeAngle(60.0);
     light->SetExponent(2.5);
     this->Renderer->AddLight(light);
+    this->Lamp = light;
   }
 
   void SetGradientOpacity()
@@ -83,6 +88,8 @@ public:
   {
     return this->Mapper->GetLastStatistics()->GetValueByName(0, column);
   }
+
+  vtkSmartPointer<vtkLight> Lamp;
 };
 
 void CheckEngines(
@@ -100,6 +107,37 @@ void CheckEngines(
     auto two = scene.CopyCaptured();
     CHECK(TestScene::Difference(two, scene.DrawTiles(1)) == 0.0);
   }
+}
+
+// Every instruction set that this machine has, by grey light and by another.
+void CheckTargets(TestChecks& checks)
+{
+  BothEngines scene;
+  scene.LookFrom(0.5, 0.8, 2.2);
+  for (const bool grey : { true, false })
+  {
+    scene.Lamp->SetColor(1.0, grey ? 1.0 : 0.7, grey ? 1.0 : 0.4);
+    for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+    {
+      hwy::GetChosenTarget().Update(target);
+      const double difference = scene.DifferenceOfEngines();
+      checks.Check(difference >= 0.0 && difference <= 1e-3, hwy::TargetName(target), __LINE__,
+        std::to_string(difference));
+    }
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
+// A camera that undoes the stretching of the volume: angles are kept on the way to the eye, lengths
+// in the world are not.
+void CheckStretched(TestChecks& checks)
+{
+  BothEngines scene;
+  scene.Volume->SetScale(1.0, 1.0, 3.0);
+  vtkNew<vtkTransform> squeeze;
+  squeeze->Scale(1.0, 1.0, 1.0 / 3.0);
+  scene.Renderer->GetActiveCamera()->SetUserViewTransform(squeeze);
+  CheckEngines(checks, scene, "stretched and squeezed");
 }
 
 // Cut by a plane, with opaque media and pixels that are repaired, in both projections.
@@ -139,5 +177,7 @@ int TestTilesLight(int, char*[])
   scene.Property->ShadeOff();
   CheckEngines(checks, scene, "two components", 1e-4);
   CheckSpecialCases(checks);
+  CheckTargets(checks);
+  CheckStretched(checks);
   return checks.Result();
 }
