@@ -128,8 +128,8 @@ void CheckTargets(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-// A camera that undoes the stretching of the volume: angles are kept on the way to the eye, lengths
-// in the world are not.
+// A camera along z that undoes the stretching of the volume: angles are kept on the way to the eye,
+// lengths in the world are not.
 void CheckStretched(TestChecks& checks)
 {
   BothEngines scene;
@@ -137,7 +137,10 @@ void CheckStretched(TestChecks& checks)
   vtkNew<vtkTransform> squeeze;
   squeeze->Scale(1.0, 1.0, 1.0 / 3.0);
   scene.Renderer->GetActiveCamera()->SetUserViewTransform(squeeze);
-  CheckEngines(checks, scene, "stretched and squeezed");
+  scene.LookFrom(0.0, 0.0, 6.0);
+  const double difference = scene.DifferenceOfEngines();
+  CHECK(difference >= 0.0);
+  CHECK_AT_MOST(difference, 1e-3);
 }
 
 // Cut by a plane, with opaque media and pixels that are repaired, in both projections.
