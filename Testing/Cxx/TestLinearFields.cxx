@@ -157,14 +157,8 @@ void CheckMapper(
     const double difference = TestScene::Difference(tetrahedra, cells);
     const std::string name = mapper.Name + ", " + mesh.Name;
     checks.Check(lit > 100, name.c_str(), __LINE__, std::to_string(lit) + " pixels");
-    // Shells widen each element's passage by what rounding moves its barycentric coordinates, so that
-    // no slice falls between two elements. Along a face that is nearly seen from its side that is
-    // long, and tetrahedra of another cut widen it otherwise: one pixel of an outline is off by
-    // 1.1e-4, and by 1.4e-5 without. (Ends without it, samples with it: 1.8e-4 where a slice is near.)
-    const bool isAtOutline =
-      mapper.Name == "shells" && TestScene::CountDifferent(tetrahedra, cells, 1e-4) <= 1;
-    checks.Check(difference >= 0.0 && difference <= (isAtOutline ? 3e-4 : 1e-4), name.c_str(),
-      __LINE__, std::to_string(difference));
+    checks.Check(difference >= 0.0 && difference <= 1e-4, name.c_str(), __LINE__,
+      std::to_string(difference));
     largest = std::max(largest, difference);
   }
   std::cout << mapper.Name << ": largest difference " << largest << "\n";
