@@ -66,8 +66,7 @@ private:
     const ShadeInt di;
     const EmissionTable& t = this->Table;
     const auto rise = hn::Sub(p.Last, p.First);
-    const auto rising = hn::RebindMask(di, hn::Lt(hn::Zero(d), rise));
-    const auto one = hn::IfThenElseZero(rising, hn::Set(di, 1));
+    const auto one = Rises(p.First, p.Last);
     const auto bound = this->Values(t.Bounds.data(), hn::Add(p.Piece, one));
     const auto cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
     auto end = p.Last, part = p.Length;

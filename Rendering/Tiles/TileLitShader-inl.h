@@ -30,9 +30,6 @@ namespace hn = hwy::HWY_NAMESPACE;
 // As many cuts of a fragment are for light and gradient opacity.
 constexpr int MostBends = 256;
 
-// Vectors that take each step together.
-constexpr int Batch = 4;
-
 /// A vector of pieces on its way through the steps.
 struct LitWork
 {
@@ -81,11 +78,9 @@ private:
     const TileGradientOpacity::Course& opacity, bool bends, ShadeMask used, LitPart& part) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
     const auto rise = hn::Sub(p.Last, p.First);
-    const auto rising = hn::RebindMask(di, hn::Lt(hn::Zero(d), rise));
-    const auto one = hn::IfThenElseZero(rising, hn::Set(di, 1));
-    const auto bound = this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, one));
+    const auto bound =
+      this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p.First, p.Last)));
     part.AtNode = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
     const auto whole = hn::Set(d, 1.0f);
     part.End = whole;
@@ -279,31 +274,13 @@ private:
     this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
   }
 
-  /// Step after step over a few vectors: within one, steps wait for each other.
   void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
   {
-    const ShadeFloat d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    LitWork work[Batch];
-    for (int begin = 0; begin < q.Count; begin += Batch * lanes)
-    {
-      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
-      for (int i = 0; i < count; ++i)
-      {
-        this->FindFirstPiece(q, begin + i * lanes, work[i].Piece);
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        const auto left = static_cast<std::size_t>(q.Count - begin - i * lanes);
-        this->CutPiece(hn::FirstN(d, left), 0, work[i]);
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        ShadeVector color[4];
-        this->ColorPart(work[i], rest, color);
-        StoreColors(color, begin + i * lanes, q);
-      }
-    }
+    constexpr int batch = 4;
+    ShadeInSteps<LitWork, batch>(
+      q, [&](int at, LitWork& w) { this->FindFirstPiece(q, at, w.Piece); },
+      [&](ShadeMask used, LitWork& w) { this->CutPiece(used, 0, w); },
+      [&](const LitWork& w, ShadeVector (&color)[4]) { this->ColorPart(w, rest, color); });
   }
 
   void ShadeRemainders(

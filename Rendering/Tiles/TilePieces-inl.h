@@ -15,6 +15,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <utility>
 
 HWY_BEFORE_NAMESPACE();
@@ -30,6 +31,7 @@ using ShadeVector = hn::Vec<ShadeFloat>;
 using ShadeIndex = hn::Vec<ShadeInt>;
 using ShadeMask = hn::Mask<ShadeFloat>;
 
+/// Up to as many pieces a count takes fewer operations than a search.
 constexpr int FewPieces = 6;
 
 /// The piece of a table (TileTransfer, EmissionTable) that a scalar lies in.
@@ -57,6 +59,13 @@ HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVec
     piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
   }
   return piece;
+}
+
+/// One where the scalar rises, else zero.
+HWY_INLINE ShadeIndex Rises(ShadeVector first, ShadeVector last)
+{
+  const ShadeInt di;
+  return hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(first, last)), hn::Set(di, 1));
 }
 
 /// A vector of fragments in depth and scalar, which are not linear on the screen.
@@ -92,6 +101,34 @@ HWY_INLINE void AddColors(
     for (int i = 0; i < 4; ++i)
     {
       target[i] += colors[k][i];
+    }
+  }
+}
+
+/// Shades the first pieces step after step, `Batch` vectors at a time: within one vector the steps
+/// wait for each other. `find(at, work)`, `cut(used, work)`, `paint(work, color)`.
+template <class Work, int Batch, class Find, class Cut, class Paint>
+HWY_INLINE void ShadeInSteps(TileFragments& q, const Find& find, const Cut& cut, const Paint& paint)
+{
+  const ShadeFloat d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  Work work[Batch];
+  for (int begin = 0; begin < q.Count; begin += Batch * lanes)
+  {
+    const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
+    for (int i = 0; i < count; ++i)
+    {
+      find(begin + i * lanes, work[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      cut(hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes)), work[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      ShadeVector color[4];
+      paint(work[i], color);
+      StoreColors(color, begin + i * lanes, q);
     }
   }
 }

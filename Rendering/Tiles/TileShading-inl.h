@@ -97,9 +97,6 @@ struct ShadePieces
   ShadeMask Cut, Thick;
 };
 
-// Vectors that take each step together.
-constexpr int ShadeBatch = 8;
-
 template <class LookUp>
 class TileShader
 {
@@ -134,20 +131,12 @@ private:
     return hn::Min(hn::Div(hn::Set(d, 2.0f), sum), hn::Set(d, 1.0f));
   }
 
-  /// One where the scalar rises.
-  static HWY_INLINE ShadeIndex Rises(const ShadePieces& p)
-  {
-    const ShadeInt di;
-    const auto rising = hn::RebindMask(di, hn::Lt(p.First, p.Last));
-    return hn::IfThenElseZero(rising, hn::Set(di, 1));
-  }
-
   /// Cuts at the transfer function's node.
   HWY_INLINE void CutAtNode(ShadeMask used, ShadePieces& p) const
   {
     const ShadeFloat d;
     const auto rise = hn::Sub(p.Last, p.First);
-    const auto bound = this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p)));
+    const auto bound = this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p.First, p.Last)));
     p.Cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
     p.End = p.Last;
     p.Part = p.Length;
@@ -214,7 +203,7 @@ private:
     left.First = p.End;
     left.Length = hn::Sub(p.Length, p.Part);
     left.Through = hn::NegMulAdd(p.Through, alpha, p.Through);
-    const auto rises = Rises(p);
+    const auto rises = Rises(p.First, p.Last);
     const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(rises, rises)), hn::Set(di, 1));
     left.Piece = hn::IfThenElse(hn::RebindMask(di, p.Thick), p.Piece, beside);
     // What is nearly opaque hides the rest.
@@ -250,32 +239,17 @@ private:
     p.Fragment = Ramp(di, at);
   }
 
-  /// Step after step over a few vectors: within one, steps wait for each other.
   void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
-    const ShadeFloat d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    ShadePieces pieces[ShadeBatch];
-    for (int begin = 0; begin < q.Count; begin += ShadeBatch * lanes)
-    {
-      const int count = (std::min(q.Count - begin, ShadeBatch * lanes) + lanes - 1) / lanes;
-      for (int i = 0; i < count; ++i)
+    constexpr int batch = 8;
+    ShadeInSteps<ShadePieces, batch>(
+      q, [&](int at, ShadePieces& p) { this->FindFirstPiece(q, at, p); },
+      [&](ShadeMask used, ShadePieces& p)
       {
-        this->FindFirstPiece(q, begin + i * lanes, pieces[i]);
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes));
-        this->CutAtNode(used, pieces[i]);
-        this->LimitDepth(used, pieces[i]);
-      }
-      for (int i = 0; i < count; ++i)
-      {
-        ShadeVector color[4];
-        this->ColorPart(pieces[i], rest, color);
-        StoreColors(color, begin + i * lanes, q);
-      }
-    }
+        this->CutAtNode(used, p);
+        this->LimitDepth(used, p);
+      },
+      [&](const ShadePieces& p, ShadeVector (&color)[4]) { this->ColorPart(p, rest, color); });
   }
 
   void ShadeRemainders(TileFragments& q, const TileRemainders& now, TileRemainders& next) const
