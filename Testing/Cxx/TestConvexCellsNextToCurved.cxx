@@ -258,7 +258,8 @@ void CheckBentEdge()
   for (unsigned int seed = 0; seed < 40; ++seed)
   {
     auto grid = row.Make(seed);
-    grid->GetPoints()->SetPoint(grid->FindPoint(1.0, 0.5, 0.0), 1.1, 0.5, 0.05);
+    double middle[3] = { 1.0, 0.5, 0.0 };
+    grid->GetPoints()->SetPoint(grid->FindPoint(middle), 1.1, 0.5, 0.05);
     vtkNew<vtkConvexCells> filter;
     filter->SetInputData(grid);
     filter->TetrahedraOnlyOn();
