@@ -83,6 +83,22 @@ double DentOf(const std::vector<std::vector<Point>>& faces)
   }
   return dent;
 }
+
+// Whether the points of the mesh come first and have not moved.
+bool KeepsPoints(vtkConvexifyFilter* filter)
+{
+  auto* mesh = vtkPointSet::SafeDownCast(filter->GetInputDataObject(0, 0));
+  vtkUnstructuredGrid* filled = filter->GetOutput();
+  bool keeps = mesh && filled->GetNumberOfPoints() >= mesh->GetNumberOfPoints();
+  for (vtkIdType id = 0; keeps && id < mesh->GetNumberOfPoints(); ++id)
+  {
+    Point before, after;
+    mesh->GetPoint(id, before.data());
+    filled->GetPoint(id, after.data());
+    keeps = before == after;
+  }
+  return keeps;
+}
 }
 
 //------------------------------------------------------------------------------
@@ -105,6 +121,7 @@ void EnclosureCheck::TestFilled(
       dent = std::max(dent, DentOf(faces));
     }
   }
+  CHECK(KeepsPoints(filter));
   const double enclosure = filter->GetEnclosureVolume();
   const double error = std::abs(mesh + fill - enclosure) / enclosure;
   std::cout << name << ": " << added << " imaginary cells, " << filter->GetFacesPerImaginaryCell()

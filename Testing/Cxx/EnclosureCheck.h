@@ -6,7 +6,7 @@
 class TestChecks;
 class vtkConvexifyFilter;
 
-/// Whether the cells that fill a mesh to its hull or its box are convex, and all volumes add up.
+/// Whether the cells that fill a mesh to its hull or its box are convex, all volumes add up, and no point moves.
 namespace EnclosureCheck
 {
 /// `filter`: updated, with DiscardOutsideHull off. Volumes to 1e-9 of the enclosure's; corners may

@@ -250,12 +250,17 @@ void TestWithoutFill(TestChecks& checks)
   CHECK(at.Sort->IsOrderProven());
 }
 
-// One thread and all give the same order, over cells for several blocks and shares.
-template <class Sort>
-void TestThreads(TestChecks& checks, bool convexify)
+// Cells for several blocks and shares.
+vtkSmartPointer<vtkUnstructuredGrid> LatticeWithGaps()
 {
   auto lattice = SortMeshes::Kuhn(SortMeshes::JitteredLattice(16, 0.2));
-  auto grid = SortMeshes::Select(lattice, [](vtkIdType cell) { return cell % 97 != 0; });
+  return SortMeshes::Select(lattice, [](vtkIdType cell) { return cell % 97 != 0; });
+}
+
+// One thread and all give the same order.
+template <class Sort>
+void TestThreads(TestChecks& checks, vtkUnstructuredGrid* grid, bool convexify)
+{
   for (SortTesting::Eye& eye : SortTesting::FewEyes(grid))
   {
     vtkNew<Sort> all;
@@ -298,9 +303,10 @@ int TestMPVOSort(int, char*[])
   TestCameras(checks);
   TestStereo(checks);
   TestWithoutFill(checks);
-  TestThreads<vtkMPVOVisibilitySort>(checks, true);
-  TestThreads<vtkMPVOVisibilitySort>(checks, false);
-  TestThreads<vtkPowerVisibilitySort>(checks, false);
+  TestThreads<vtkMPVOVisibilitySort>(checks, LatticeWithGaps(), true);
+  TestThreads<vtkMPVOVisibilitySort>(checks, LatticeWithGaps(), false);
+  TestThreads<vtkPowerVisibilitySort>(checks, LatticeWithGaps(), false);
+  TestThreads<vtkMPVOVisibilitySort>(checks, SortMeshes::Make("barsTetrahedra"), true);
   TestNothing(checks);
   return checks.Result();
 }
