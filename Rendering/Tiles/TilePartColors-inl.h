@@ -39,7 +39,7 @@ struct LitKind
   bool IsGrey() const { return !General && this->Lighting.IsGrey; }
 };
 
-/// Sums over a part of grey light's weights: times the scalar, alone, and of highlights.
+/// Sums over a part of grey light's weights: times the scalar's rise, alone, and of highlights.
 struct GreySum
 {
   ShadeVector Scalar, Factor, Highlight;
@@ -92,7 +92,7 @@ public:
       GreySum sum{ hn::Zero(d), hn::Zero(d), hn::Zero(d) };
       this->AddGrey(p, light, part, first, before, sum);
       this->AddGrey(p, light, part, second, behind, sum);
-      this->ColorGrey(p.Piece, sum, color);
+      this->ColorGrey(p, sum, color);
     }
     else
     {
@@ -176,7 +176,8 @@ private:
   HWY_INLINE void AddGrey(const LitPieces& p, const LitCourse& light, const LitPart& part,
     ShadeVector at, ShadeVector weight, GreySum& sum) const
   {
-    const auto scalar = hn::MulAdd(at, hn::Sub(part.LastScalar, p.First), p.First);
+    // From the first one: of a steep function the offset alone would leave little of a float.
+    const auto scalar = hn::Mul(at, hn::Sub(part.LastScalar, p.First));
     LitColors<1> lit;
     this->Light.Shine(p, light, hn::Mul(part.End, at), lit);
     const auto factor = hn::Mul(weight, lit.Factor[0]);
@@ -185,13 +186,15 @@ private:
     sum.Highlight = hn::MulAdd(weight, lit.Highlight[0], sum.Highlight);
   }
 
-  HWY_INLINE void ColorGrey(ShadeIndex piece, const GreySum& sum, ShadeVector (&color)[4]) const
+  HWY_INLINE void ColorGrey(const LitPieces& p, const GreySum& sum, ShadeVector (&color)[4]) const
   {
     for (int k = 0; k < 3; ++k)
     {
-      const auto offset = this->Values(this->Transfer.Offsets[k].data(), piece);
-      color[k] = hn::MulAdd(this->Values(this->Transfer.Slopes[k].data(), piece), sum.Scalar,
-        hn::MulAdd(offset, sum.Factor, sum.Highlight));
+      const auto slope = this->Values(this->Transfer.Slopes[k].data(), p.Piece);
+      const auto first =
+        hn::MulAdd(slope, p.First, this->Values(this->Transfer.Offsets[k].data(), p.Piece));
+      color[k] =
+        hn::MulAdd(slope, sum.Scalar, hn::MulAdd(first, sum.Factor, sum.Highlight));
     }
   }
 
