@@ -9,7 +9,7 @@
 
 namespace
 {
-constexpr signed char Done = -1;
+constexpr short Done = -1;
 // Cells whose neighbours are fetched before their turn.
 constexpr int Ahead = 12;
 // The lowest bit of a set of faces.
@@ -54,65 +54,53 @@ void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const 
   {
     this->Places.Set(ids[i], i);
   }
-  const TilePlaces::Finder places(this->Places);
-  const int* const allNeighbours = mesh.Neighbours.data();
-  const std::uint8_t* const faces = cells.Faces.data();
-  int* const begins = this->WaitersBegin.data();
-  int* const waiters = this->Waiters.data();
-  signed char* const blockers = this->Blockers.data();
   int next = 0;
   for (int i = 0; i < count; ++i)
   {
-    begins[i] = next;
-    hwy::Prefetch(allNeighbours + 4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)]));
-    const int* neighbours = allNeighbours + 4 * static_cast<std::size_t>(ids[i]);
-    const unsigned int exits = faces[ids[i]] & TileCells::ExitFaces;
+    this->WaitersBegin[i] = next;
+    hwy::Prefetch(&mesh.Neighbours[4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)])]);
+    const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(ids[i])];
+    const unsigned int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
     for (unsigned int left = exits; left != 0; left &= left - 1)
     {
-      const int place = places.Find(neighbours[FirstFace[left]]);
+      const int place = this->Places.Find(neighbours[FirstFace[left]]);
       if (place != TilePlaces::None)
       {
-        waiters[next++] = place;
-        ++blockers[place];
+        this->Waiters[next++] = place;
+        ++this->Blockers[place];
       }
     }
   }
-  begins[count] = next;
+  this->WaitersBegin[size] = next;
 }
 
 //------------------------------------------------------------------------------
 void TileOrder::Release(int seed, const int* ids, int count)
 {
-  const int* const begins = this->WaitersBegin.data();
-  const int* const waiters = this->Waiters.data();
-  signed char* const blockers = this->Blockers.data();
-  int* const sorted = this->Sorted;
-  int done = this->NumberOfSorted;
   // Last in, first out: the cells that came free last are still in cache. The stack grows down from the
   // end of the list: what is on it is not sorted yet.
   int top = count;
-  sorted[--top] = seed;
-  blockers[seed] = Done;
+  this->Sorted[--top] = seed;
+  this->Blockers[seed] = Done;
   while (top < count)
   {
-    const int cell = sorted[top++];
-    sorted[done++] = ids[cell];
-    for (int k = begins[cell]; k < begins[cell + 1]; ++k)
+    const int cell = this->Sorted[top++];
+    this->Sorted[this->NumberOfSorted++] = ids[cell];
+    for (int k = this->WaitersBegin[cell]; k < this->WaitersBegin[cell + 1]; ++k)
     {
-      const int waiter = waiters[k];
-      if (--blockers[waiter] == 0)
+      const int waiter = this->Waiters[k];
+      if (--this->Blockers[waiter] == 0)
       {
-        blockers[waiter] = Done;
-        sorted[--top] = waiter;
+        this->Blockers[waiter] = Done;
+        this->Sorted[--top] = waiter;
       }
     }
   }
-  this->NumberOfSorted = done;
 }
 
 //------------------------------------------------------------------------------
 std::size_t TileOrder::GetMemorySize() const
 {
-  return this->Places.GetMemorySize() + this->Blockers.capacity() +
+  return this->Places.GetMemorySize() + sizeof(short) * this->Blockers.capacity() +
     sizeof(int) * (this->Waiters.capacity() + this->WaitersBegin.capacity());
 }

@@ -33,8 +33,9 @@ private:
   TilePlaces Places;
   // Places of the cells behind each one, from WaitersBegin[i] on.
   std::vector<int> Waiters, WaitersBegin;
-  // How many cells before each one are still to come, or Done: 4 at most.
-  std::vector<signed char> Blockers;
+  // How many cells before each one are still to come, or Done: 4 at most. No
+  // bytes: after a store to one the compiler reads every pointer again.
+  std::vector<short> Blockers;
   int* Sorted = nullptr;
   int NumberOfSorted = 0;
 };

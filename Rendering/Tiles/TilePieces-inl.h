@@ -40,16 +40,15 @@ HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVec
 {
   const ShadeInt di;
   auto piece = hn::Zero(di);
-  // Few bounds are counted: the steps of a search wait for each other.
-  const int few = table.NumberOfPieces <= FewPieces ? table.NumberOfPieces : 0;
-  for (int i = 1; i < few; ++i)
+  if (table.NumberOfPieces <= FewPieces)
   {
-    const auto reached = hn::Le(hn::Set(ShadeFloat(), table.Bounds[i]), scalar);
-    const auto next = hn::Add(piece, hn::Set(di, 1));
-    piece = hn::IfThenElse(hn::RebindMask(di, reached), next, piece);
-  }
-  if (few > 0)
-  {
+    // Counted: the steps of a search wait for each other.
+    for (int i = 1; i < table.NumberOfPieces; ++i)
+    {
+      const auto reached = hn::Le(hn::Set(ShadeFloat(), table.Bounds[i]), scalar);
+      const auto next = hn::Add(piece, hn::Set(di, 1));
+      piece = hn::IfThenElse(hn::RebindMask(di, reached), next, piece);
+    }
     return piece;
   }
   for (int bit = 1 << table.SearchSteps >> 1; bit != 0; bit >>= 1)

@@ -31,36 +31,13 @@ public:
       this->Owners.push_back(cluster);
       this->Places.resize(this->Places.size() + TileClusters::Size, None);
     }
-    this->At(cell) = place;
+    this->Places[this->Index(cell)] = place;
   }
 
-  /** Finds as long as nothing is set: in pointers of its own, which need not be read again after
-   *  every store of a byte. */
-  class Finder
+  int Find(int cell) const
   {
-  public:
-    explicit Finder(const TilePlaces& places)
-      : Slots(places.Slots.data())
-      , Owners(places.Owners.data())
-      , Places(places.Places.data())
-      , Count(places.Owners.size())
-    {
-    }
-    int Find(int cell) const
-    {
-      const int cluster = cell >> TileClusters::Shift;
-      const auto slot = static_cast<std::size_t>(this->Slots[cluster]);
-      return slot < this->Count && this->Owners[slot] == cluster
-        ? this->Places[(slot << TileClusters::Shift) + (cell & (TileClusters::Size - 1))]
-        : None;
-    }
-
-  private:
-    const int* Slots;
-    const int* Owners;
-    const int* Places;
-    std::size_t Count;
-  };
+    return this->HasSlot(cell >> TileClusters::Shift) ? this->Places[this->Index(cell)] : None;
+  }
 
   std::size_t GetMemorySize() const
   {
@@ -76,10 +53,10 @@ private:
     const auto slot = static_cast<std::size_t>(this->Slots[cluster]);
     return slot < this->Owners.size() && this->Owners[slot] == cluster;
   }
-  int& At(int cell)
+  std::size_t Index(int cell) const
   {
     const auto slot = static_cast<std::size_t>(this->Slots[cell >> TileClusters::Shift]);
-    return this->Places[(slot << TileClusters::Shift) + (cell & (TileClusters::Size - 1))];
+    return (slot << TileClusters::Shift) + (cell & (TileClusters::Size - 1));
   }
 
   // Of a cluster: its slot; true only where the slot's owner says so too.
