@@ -163,8 +163,7 @@ private:
 inline long long ShadeEmission(const EmissionTable& table, const TileView& view,
   const TileRectangle& tile, TileFragments& fragments, TileRemainders (&remainders)[2])
 {
-  // One bound more than pieces is looked up.
-  if (table.NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat())))
+  if (FitsRegisters(table))
   {
     return EmissionShader<RegisterLookUp>(table, view, tile).Shade(fragments, remainders);
   }

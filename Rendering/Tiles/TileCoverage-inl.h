@@ -153,9 +153,10 @@ struct BlockWalk
   }
 };
 
-/// Between the `Entries` entry planes and the others: the last entry, and the first exit.
-template <int Entries>
-HWY_INLINE void FindInside(const CoverVector (&at)[5], CoverVector& entry, CoverVector& exit)
+/// Between the `Entries` entry planes and the others, and the cuts: the last entry, and the first
+/// exit.
+template <int Entries, int Lines>
+HWY_INLINE void FindInside(const CoverVector (&at)[Lines], CoverVector& entry, CoverVector& exit)
 {
   entry = at[0];
   exit = at[Entries];
@@ -167,22 +168,33 @@ HWY_INLINE void FindInside(const CoverVector (&at)[5], CoverVector& entry, Cover
   {
     exit = hn::Max(exit, at[f]);
   }
+  if (Lines > 5)
+  {
+    entry = hn::Min(entry, at[Lines - 2]);
+    exit = hn::Max(exit, at[Lines - 1]);
+  }
 }
 
 /// One cell of a group: `faces` has the `Entries` entry faces first.
-template <int Entries>
+template <int Entries, bool IsCut>
 void CoverCell(
   const TileGroup& g, int k, const int* faces, const BlockShapes::Shape& shape, TileFragments& out)
 {
   const CoverFloat d;
   const CoverInt di;
   const auto x = hn::Load(d, shape.X), y = hn::Load(d, shape.Y);
-  BlockWalk walks[5];
+  constexpr int lines = IsCut ? 7 : 5;
+  BlockWalk walks[lines];
   for (int f = 0; f < 4; ++f)
   {
     walks[f].Begin(g.A[faces[f]][k], g.B[faces[f]][k], g.P[faces[f]][k], x, y, shape);
   }
   walks[4].Begin(g.ScalarA[k], g.ScalarB[k], g.ScalarP[k], x, y, shape);
+  for (int f = 5; f < lines; ++f)
+  {
+    const int cut = f - 5 + TileGroup::CutEntry;
+    walks[f].Begin(g.A[cut][k], g.B[cut][k], g.P[cut][k], x, y, shape);
+  }
   const auto perU = hn::Set(d, g.ScalarU[k]);
   const int width = g.Width[k], height = g.Height[k];
   const auto right = hn::Set(d, static_cast<float>(width));
@@ -192,8 +204,8 @@ void CoverCell(
   int count = out.Count;
   for (int top = 0; top < height; top += shape.Height)
   {
-    CoverVector at[5];
-    for (int f = 0; f < 5; ++f)
+    CoverVector at[lines];
+    for (int f = 0; f < lines; ++f)
     {
       at[f] = walks[f].Row;
       walks[f].Row = hn::Add(walks[f].Row, walks[f].StepY);
@@ -204,14 +216,14 @@ void CoverCell(
     for (int left = 0; left < width; left += shape.Width)
     {
       CoverVector entry, exit;
-      FindInside<Entries>(at, entry, exit);
+      FindInside<Entries, lines>(at, entry, exit);
       const auto inBox = hn::And(inRows, hn::Lt(column, right));
       // Appended where none is covered, too: a branch that is guessed wrong costs more.
       count = AppendFragments(hn::And(inBox, hn::Lt(exit, entry)), entry, exit,
         hn::MulAdd(perU, entry, at[4]), hn::MulAdd(perU, exit, at[4]), pixel, count, out);
       column = hn::Add(column, across);
       pixel = hn::Add(pixel, hn::Set(di, shape.Width));
-      for (int f = 0; f < 5; ++f)
+      for (int f = 0; f < lines; ++f)
       {
         at[f] = hn::Add(at[f], walks[f].StepX);
       }
@@ -312,6 +324,21 @@ inline std::uint32_t PackBox(const TileGroup& group, int k)
                  : static_cast<std::uint32_t>(group.Left[k] | group.Bottom[k] << 8 |
                      group.Width[k] << 16) |
       static_cast<std::uint32_t>(group.Height[k]) << 24;
+}
+
+/// The same, with or without the cuts.
+template <int Entries>
+HWY_INLINE void CoverCell(const TileGroup& g, int k, const int* faces,
+  const BlockShapes::Shape& shape, TileFragments& out)
+{
+  if (g.Cut[k] != 0)
+  {
+    CoverCell<Entries, true>(g, k, faces, shape, out);
+  }
+  else
+  {
+    CoverCell<Entries, false>(g, k, faces, shape, out);
+  }
 }
 
 /// Cells of a group from k on until the queue is full or the group ends; returns the next cell.

@@ -11,10 +11,12 @@ struct TileGroup
 {
   static constexpr int Size = 16;
 
-  /** Of the plane of face f: u = P + A x + B y. */
-  alignas(64) float P[4][Size];
-  alignas(64) float A[4][Size];
-  alignas(64) float B[4][Size];
+  /** Of the plane of face f: u = P + A x + B y. The last two cut off what is transparent: where
+   *  rays come to what is seen, and where they leave it. */
+  alignas(64) float P[6][Size];
+  alignas(64) float A[6][Size];
+  alignas(64) float B[6][Size];
+  static constexpr int CutEntry = 4, CutExit = 5;
   /** scalar * weight = ScalarP + ScalarA x + ScalarB y + ScalarU u. */
   alignas(64) float ScalarP[Size];
   alignas(64) float ScalarA[Size];
@@ -29,6 +31,8 @@ struct TileGroup
   alignas(64) int Entries[Size];
   /** Not 0: floats do not serve, see class TileExactCell. */
   alignas(64) int Exact[Size];
+  /** Not 0: a part is transparent, the cuts are set. */
+  alignas(64) int Cut[Size];
 };
 
 #endif

@@ -23,8 +23,7 @@ long long ShadeLit(const TileTask& task, const TileRectangle& tile, TileFragment
   {
     return TileLitShader<MemoryLookUp, true>(task, tile).Shade(fragments, remainders);
   }
-  // One bound more than pieces is looked up.
-  if (task.Transfer->NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat())))
+  if (FitsRegisters(*task.Transfer))
   {
     return TileLitShader<RegisterLookUp, false>(task, tile).Shade(fragments, remainders);
   }

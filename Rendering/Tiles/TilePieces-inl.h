@@ -31,6 +31,32 @@ using ShadeVector = hn::Vec<ShadeFloat>;
 using ShadeIndex = hn::Vec<ShadeInt>;
 using ShadeMask = hn::Mask<ShadeFloat>;
 
+/// Table look-ups in registers, for a function of no more pieces than a vector has lanes.
+struct RegisterLookUp
+{
+  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
+  {
+    const ShadeFloat d;
+    return hn::TableLookupLanes(hn::LoadU(d, table), hn::IndicesFromVec(d, index));
+  }
+};
+
+/// The same in memory, for any function.
+struct MemoryLookUp
+{
+  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
+  {
+    return hn::GatherIndex(ShadeFloat(), table, index);
+  }
+};
+
+template <class Table>
+HWY_INLINE bool FitsRegisters(const Table& table)
+{
+  // One bound more than pieces is looked up.
+  return table.NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat()));
+}
+
 /// Up to as many pieces a count takes fewer operations than a search.
 constexpr int FewPieces = 6;
 

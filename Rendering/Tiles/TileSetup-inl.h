@@ -8,6 +8,7 @@
 #define TileSetup_inl_h
 #endif
 
+#include "TileCuts-inl.h"
 #include "TileGroup.h"
 #include "TileMesh.h"
 #include "TileRecords-inl.h"
@@ -222,8 +223,32 @@ inline hn::Mask<SetupFloat> SetUpScalar(const SetupCorners& c, const SetupWeight
   return hn::Not(hn::Le(change, hn::Mul(weights.Least, hn::Set(d, SetupBounds::ScalarError))));
 }
 
-inline void SetUpLanes(const TileRecords& records, int lane, const TileRectangle& tile,
-  const SetupBounds& bounds, const int* steps, TileGroup& group)
+/// The cuts, where there is anything to cut off.
+inline void CutTransparent(
+  const TileTask& task, const SetupCorners& c, int lane, TileGroup& group)
+{
+  const SetupInt di;
+  if (!task.Transfer->HasTransparent)
+  {
+    hn::Store(hn::Zero(di), di, group.Cut + lane);
+    return;
+  }
+  const auto least = hn::Min(
+    hn::Min(c.Corner[0][3], c.Corner[1][3]), hn::Min(c.Corner[2][3], c.Corner[3][3]));
+  const auto greatest = hn::Max(
+    hn::Max(c.Corner[0][3], c.Corner[1][3]), hn::Max(c.Corner[2][3], c.Corner[3][3]));
+  if (FitsRegisters(*task.Transfer))
+  {
+    SetUpCuts<RegisterLookUp>(task, least, greatest, lane, group);
+  }
+  else
+  {
+    SetUpCuts<MemoryLookUp>(task, least, greatest, lane, group);
+  }
+}
+
+inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lane,
+  const TileRectangle& tile, const SetupBounds& bounds, const int* steps, TileGroup& group)
 {
   const SetupFloat d;
   const SetupInt di;
@@ -243,6 +268,7 @@ inline void SetUpLanes(const TileRecords& records, int lane, const TileRectangle
   const auto tooFast = SetUpScalar(c, weights, dx, dy, bounds, lane, group);
   const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
   hn::Store(hn::IfThenElseZero(exact, hn::Set(di, 1)), di, group.Exact + lane);
+  CutTransparent(task, c, lane, group);
 }
 
 inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const SetupBounds& bounds,
@@ -269,7 +295,7 @@ inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const Se
   }
   for (int lane = 0; lane < TileGroup::Size; lane += static_cast<int>(hn::Lanes(SetupFloat())))
   {
-    SetUpLanes(records, lane, tile, bounds, steps, group);
+    SetUpLanes(task, records, lane, tile, bounds, steps, group);
   }
 }
 }

@@ -35,25 +35,6 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// Table look-ups in registers, for a function of no more pieces than a vector has lanes.
-struct RegisterLookUp
-{
-  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
-  {
-    const ShadeFloat d;
-    return hn::TableLookupLanes(hn::LoadU(d, table), hn::IndicesFromVec(d, index));
-  }
-};
-
-/// The same in memory, for any function.
-struct MemoryLookUp
-{
-  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
-  {
-    return hn::GatherIndex(ShadeFloat(), table, index);
-  }
-};
-
 /// World length of a ray per depth at the pixels of a tile.
 class RayLengths
 {
@@ -291,8 +272,7 @@ private:
 inline long long ShadeFragments(const TileTask& task, const TileRectangle& tile,
   TileFragments& fragments, TileRemainders (&remainders)[2])
 {
-  // One bound more than pieces is looked up.
-  if (task.Transfer->NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat())))
+  if (FitsRegisters(*task.Transfer))
   {
     return TileShader<RegisterLookUp>(task, tile).Shade(fragments, remainders);
   }

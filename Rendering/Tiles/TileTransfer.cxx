@@ -13,6 +13,8 @@ constexpr double DeepestRay = 1e9;
 // position.
 constexpr double Straight = 1e-6;
 constexpr double FloatStep = 1.2e-7;
+// A scalar beyond all others.
+constexpr float Everything = 1e30f;
 }
 
 //------------------------------------------------------------------------------
@@ -43,6 +45,7 @@ void TileTransfer::Build(const TransferFunction& function, double longest)
   {
     ++this->SearchSteps;
   }
+  this->FindSeen();
 }
 
 //------------------------------------------------------------------------------
@@ -60,6 +63,8 @@ void TileTransfer::Allocate(std::size_t nodes)
     this->Slopes[k].assign(size, 0.0f);
     this->Offsets[k].assign(size, 0.0f);
   }
+  this->SeenFrom.assign(size, -Everything);
+  this->SeenTo.assign(size, Everything);
 }
 
 //------------------------------------------------------------------------------
@@ -102,4 +107,24 @@ bool TileTransfer::Continues(const Node& first, const Node& last) const
     }
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+void TileTransfer::FindSeen()
+{
+  auto isSeen = [this](int piece)
+  { return this->Slopes[3][piece] != 0.0f || this->Offsets[3][piece] > 0.0f; };
+  this->HasTransparent = false;
+  float from = Everything, to = -Everything;
+  for (int piece = this->NumberOfPieces - 1; piece >= 0; --piece)
+  {
+    from = isSeen(piece) ? this->Bounds[piece] : from;
+    this->SeenFrom[piece] = isSeen(piece) ? -Everything : from;
+    this->HasTransparent = this->HasTransparent || !isSeen(piece);
+  }
+  for (int piece = 0; piece < this->NumberOfPieces; ++piece)
+  {
+    to = isSeen(piece) ? this->Bounds[piece + 1] : to;
+    this->SeenTo[piece] = isSeen(piece) ? Everything : to;
+  }
 }

@@ -27,6 +27,11 @@ public:
   std::vector<float> Bounds;
   std::vector<float> Slopes[4];
   std::vector<float> Offsets[4];
+  /** Nothing is seen from a scalar of piece i up to SeenFrom[i], and down to SeenTo[i]; where the
+   *  piece itself is seen -1e30 and 1e30. */
+  std::vector<float> SeenFrom, SeenTo;
+  /** Whether there is any such piece. */
+  bool HasTransparent = false;
 
   /** No vector is longer. */
   static constexpr std::size_t Padding = 64;
@@ -41,6 +46,7 @@ private:
   /** The piece between two nodes, unless the last one goes on that far. */
   void Append(const Node& first, const Node& last);
   bool Continues(const Node& first, const Node& last) const;
+  void FindSeen();
 
   // The line of the last piece.
   Node LastStart;

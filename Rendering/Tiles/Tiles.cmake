@@ -58,6 +58,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileColors-inl.h
   Rendering/Tiles/TileCompositing-inl.h
   Rendering/Tiles/TileCoverage-inl.h
+  Rendering/Tiles/TileCuts-inl.h
   Rendering/Tiles/TileExactCell.h
   Rendering/Tiles/TileFragments.h
   Rendering/Tiles/TileGradientOpacity-inl.h

@@ -131,6 +131,33 @@ void TestDrift(TestChecks& checks)
   CHECK(transfer.NumberOfPieces > 50);
   CHECK_AT_MOST(error, 2e-6);
 }
+
+// Nothing is seen below .2, between .4 and .6 (where a colour bends), and from .8 on.
+void TestSeen(TestChecks& checks)
+{
+  const Nodes nodes = { { 0.0, { 1, 1, 1, 0 } }, { 0.2, { 1, 1, 1, 0 } }, { 0.3, { 1, 1, 1, 2 } },
+    { 0.4, { 1, 1, 1, 0 } }, { 0.5, { 0, 1, 1, 0 } }, { 0.6, { 1, 1, 1, 0 } },
+    { 0.7, { 1, 1, 1, 1e-9 } }, { 0.8, { 1, 1, 1, 0 } }, { 1.0, { 1, 1, 1, 0 } } };
+  TileTransfer transfer;
+  transfer.Build(MakeFunction(nodes), 1.0);
+  CHECK(transfer.HasTransparent);
+  const struct
+  {
+    double At, From, To;
+  } expected[] = { { 0.1, 0.2, -1e30 }, { 0.25, -1e30, 1e30 }, { 0.35, -1e30, 1e30 },
+    { 0.45, 0.6, 0.4 }, { 0.55, 0.6, 0.4 }, { 0.65, -1e30, 1e30 }, { 0.75, -1e30, 1e30 },
+    { 0.9, 1e30, 0.8 } };
+  for (const auto& place : expected)
+  {
+    const auto bound = std::upper_bound(transfer.Bounds.begin(),
+      transfer.Bounds.begin() + transfer.NumberOfPieces, static_cast<float>(place.At));
+    const auto piece = static_cast<std::size_t>(bound - transfer.Bounds.begin()) - 1;
+    CHECK(transfer.SeenFrom[piece] == static_cast<float>(place.From));
+    CHECK(transfer.SeenTo[piece] == static_cast<float>(place.To));
+  }
+  transfer.Build(MakeFunction(Ramp(3, 0.0)), 1.0);
+  CHECK(!transfer.HasTransparent);
+}
 }
 
 int TestTileTransfer(int, char*[])
@@ -139,5 +166,6 @@ int TestTileTransfer(int, char*[])
   TestBends(checks);
   TestZero(checks);
   TestDrift(checks);
+  TestSeen(checks);
   return checks.Result();
 }

@@ -83,14 +83,18 @@ void TileArrays::SetFunction(bool spiky, double unitDistance)
   {
     nodes.insert(nodes.end(), { spike - SpikeWidth, spike, spike + SpikeWidth });
   }
+  this->SetOpacity(nodes, spiky ? SpikyOpacity : SmoothOpacity, unitDistance);
+}
+
+//------------------------------------------------------------------------------
+void TileArrays::SetOpacity(
+  const std::vector<double>& nodes, const std::function<double(double)>& opacity, double unitDistance)
+{
   const double range[2] = { 0.0, 1.0 };
   this->Function.Build(
     nodes,
-    [spiky](double x)
-    {
-      return TransferFunction::Sample{ { 0.1 + 0.8 * x, 0.5, 0.8 - 0.7 * x,
-        spiky ? SpikyOpacity(x) : SmoothOpacity(x) } };
-    },
+    [&opacity](double x)
+    { return TransferFunction::Sample{ { 0.1 + 0.8 * x, 0.5, 0.8 - 0.7 * x, opacity(x) } }; },
     range, range, unitDistance);
   this->Scene.Function = &this->Function;
 }

@@ -6,6 +6,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <functional>
 #include <vector>
 
 /// The Tiles engine with plain arrays: no window, no VTK data.
@@ -17,6 +18,9 @@ public:
 
   /// Three points, or nine with spikes between which nothing is seen.
   void SetFunction(bool spiky, double unitDistance = 0.2);
+  /// The same colours; linear between the nodes.
+  void SetOpacity(const std::vector<double>& nodes, const std::function<double(double)>& opacity,
+    double unitDistance);
   /// Hands points, corners and scalars to the engine.
   void SetMesh();
   /// From `eye` to the middle.
