@@ -18,30 +18,25 @@
 #include "TileShading-inl.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
+#include <utility>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
 {
 namespace HWY_NAMESPACE
 {
-/// Fetches the cells of the group after next and the corners of the next.
-inline void PrefetchGroups(const TileTask& task, const std::vector<int>& ids, std::size_t at)
+/// Fetches the corners of a cell in a group's time and those of one in two groups' time from the mesh.
+inline void PrefetchCells(const TileTask& task, const std::vector<int>& ids, std::size_t at)
 {
-  const std::size_t soon = std::min(at + TileGroup::Size, ids.size());
-  const std::size_t later = std::min(soon + TileGroup::Size, ids.size());
-  const std::size_t last = std::min(later + TileGroup::Size, ids.size());
-  for (std::size_t k = later; k < last; ++k)
+  const std::size_t soon = std::min(at + TileGroup::Size, ids.size() - 1);
+  const std::size_t later = std::min(soon + TileGroup::Size, ids.size() - 1);
+  hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(ids[later])]);
+  const int* corners = &task.Mesh->Corners[4 * static_cast<std::size_t>(ids[soon])];
+  for (int i = 0; i < 4; ++i)
   {
-    hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])]);
-  }
-  for (std::size_t k = soon; k < later; ++k)
-  {
-    const int* corners = &task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])];
-    for (int i = 0; i < 4; ++i)
-    {
-      hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
-    }
+    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
   }
 }
 
@@ -57,14 +52,46 @@ inline void PrefetchFields(const TileCellFields& fields, const std::vector<int>&
   }
 }
 
-/// Covers the cells of scratch.Drawn and hands on the queue whenever it is full.
+/// Moves the next cells that nothing hides to `at`, a group at most, and the hidden ones behind them;
+/// returns how many, and `next` behind the last one that was looked at.
+inline int TakeGroup(const TileTask& task, const TileRectangle& tile, std::size_t at,
+  std::size_t& next, TileScratch& scratch)
+{
+  std::vector<int>& ids = scratch.Drawn;
+  if (!scratch.Occlusion.HidesAny())
+  {
+    const auto count = std::min<std::size_t>(TileGroup::Size, ids.size() - next);
+    for (const std::size_t last = next + count; next < last; ++next)
+    {
+      PrefetchCells(task, ids, next);
+    }
+    return static_cast<int>(count);
+  }
+  std::size_t end = at;
+  for (; next < ids.size() && end < at + TileGroup::Size; ++next)
+  {
+    PrefetchCells(task, ids, next);
+    std::uint32_t box = 0;
+    if (scratch.Occlusion.HidesCell(task, tile, ids[next], box))
+    {
+      scratch.Boxes[next] = box;
+      continue;
+    }
+    std::swap(ids[end], ids[next]);
+    scratch.Boxes[next] = scratch.Boxes[end++];
+  }
+  return static_cast<int>(end - at);
+}
+
+/// Covers the cells of scratch.Drawn and hands on the queue whenever it is full; cells that are hidden
+/// end up last.
 template <class Flush>
 void CoverTile(
   const TileTask& task, const TileRectangle& tile, TileScratch& scratch, const Flush& flush)
 {
   static const BlockShapes shapes;
   const SetupBounds bounds(task);
-  const std::vector<int>& ids = scratch.Drawn;
+  std::vector<int>& ids = scratch.Drawn;
   scratch.Boxes.resize(ids.size());
   scratch.Fragments.Count = 0;
   scratch.Fragments.NamesCells = task.Lighting != nullptr;
@@ -78,26 +105,33 @@ void CoverTile(
     flush();
     scratch.Fragments.Count = 0;
   };
-  for (std::size_t i = 0; i < ids.size(); i += TileGroup::Size)
+  std::size_t next = 0, at = 0;
+  while (next < ids.size())
   {
-    const int count = static_cast<int>(std::min<std::size_t>(TileGroup::Size, ids.size() - i));
-    PrefetchGroups(task, ids, i);
+    const int count = TakeGroup(task, tile, at, next, scratch);
+    if (count == 0)
+    {
+      break;
+    }
+    const std::size_t end = at + static_cast<std::size_t>(count);
     if (task.Lighting)
     {
-      PrefetchFields(*task.Gradients, ids, i, i + static_cast<std::size_t>(count));
-      PrefetchFields(*task.Colors, ids, i, i + static_cast<std::size_t>(count));
+      PrefetchFields(*task.Gradients, ids, at, end);
+      PrefetchFields(*task.Colors, ids, at, end);
     }
-    SetUpGroup(task, tile, bounds, &ids[i], count, scratch.Group);
+    SetUpGroup(task, tile, bounds, &ids[at], count, scratch.Group);
     for (int k = 0; k < count;)
     {
-      k = CoverGroup(task, tile, scratch.Group, &ids[i], k, count, shapes, &scratch.Boxes[i],
+      k = CoverGroup(task, tile, scratch.Group, &ids[at], k, count, shapes, &scratch.Boxes[at],
         scratch.Fragments);
       if (scratch.Fragments.Count >= TileFragments::Full)
       {
         handOn();
       }
     }
+    at = end;
   }
+  scratch.Counts.HiddenCells += static_cast<long long>(ids.size() - at);
   handOn();
 }
 
@@ -124,6 +158,7 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
   }
   scratch.Counts.RepairedPixels += wrong;
   repair.KeepCells(scratch.Drawn, scratch.Boxes);
+  scratch.Occlusion.Clear(task, tile);
   CoverTile(task, repair.Box(tile), scratch, [&] { repair.Collect(scratch.Fragments); });
   repair.Sort(*task.View);
   repair.Clear(scratch.Buffer);
@@ -153,10 +188,12 @@ inline void WriteTile(const TileTask& task, const TileRectangle& tile, const Til
 void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
 {
   scratch.Buffer.Clear();
+  scratch.Occlusion.Clear(task, tile);
   CoverTile(task, tile, scratch,
     [&]
     {
       TileFragments& fragments = scratch.Fragments;
+      scratch.Occlusion.Watch(fragments, scratch.Buffer);
       scratch.Counts.Fragments += fragments.Count;
       scratch.Counts.Pieces += ShadeTile(task, tile, scratch);
       CompositeFragments<true>(fragments, task.Tolerance, scratch.Buffer);

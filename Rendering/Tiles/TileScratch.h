@@ -9,6 +9,7 @@
 #include "TileFragments.h"
 #include "TileGroup.h"
 #include "TileLitPieces.h"
+#include "TileOcclusion.h"
 #include "TileOrder.h"
 #include "TileRepair.h"
 #include "TileTask.h"
@@ -26,6 +27,7 @@ struct TileScratch
   std::unique_ptr<TileLitRemainders> LitRemainders;
   TileBuffer Buffer;
   TileOrder Order;
+  TileOcclusion Occlusion;
   TileRepair Repair;
   std::vector<int> Drawn;
   /** Where in the tile the drawn cells lie, see TileRepair::KeepCells. */

@@ -29,6 +29,7 @@ TileCounts TileScratchPool::CollectCounts()
   for (const std::unique_ptr<TileScratch>& scratch : this->Free)
   {
     sum.Cells += scratch->Counts.Cells;
+    sum.HiddenCells += scratch->Counts.HiddenCells;
     sum.Fragments += scratch->Counts.Fragments;
     sum.Pieces += scratch->Counts.Pieces;
     sum.RepairedPixels += scratch->Counts.RepairedPixels;

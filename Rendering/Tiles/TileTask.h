@@ -36,6 +36,8 @@ struct TileTask
   double OpticalDepth = 0.0;
   /** Whether the medium is so dense that every cell is set up in double. */
   bool AllExact = false;
+  /** Whether cells behind pixels that are nearly opaque are left out, see class TileOcclusion. */
+  bool EndsEarly = true;
   /** Premultiplied RGBA, View->Width x View->Height. */
   float* Image = nullptr;
 };
@@ -65,6 +67,8 @@ struct TileRectangle
 struct TileCounts
 {
   long long Cells = 0;
+  /** Of these, behind pixels that are nearly opaque: not projected. */
+  long long HiddenCells = 0;
   long long Fragments = 0;
   long long Pieces = 0;
   long long RepairedPixels = 0;

@@ -23,6 +23,7 @@ list(APPEND sources
   Rendering/Tiles/TileLoop.cxx
   Rendering/Tiles/TileMesh.cxx
   Rendering/Tiles/TileNeighbours.cxx
+  Rendering/Tiles/TileOcclusion.cxx
   Rendering/Tiles/TileOrder.cxx
   Rendering/Tiles/TileProjection.cxx
   Rendering/Tiles/TileRepair.cxx
@@ -74,6 +75,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileMath-inl.h
   Rendering/Tiles/TileMesh.h
   Rendering/Tiles/TileNeighbours.h
+  Rendering/Tiles/TileOcclusion.h
   Rendering/Tiles/TileOrder.h
   Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h

@@ -179,6 +179,7 @@ void TilesEngine::SetTask(const Scene& scene)
   this->SetLighting(scene);
   this->Task.OpticalDepth = depth;
   this->Task.AllExact = depth > DenseMedium;
+  this->Task.EndsEarly = scene.EndsEarly;
   this->Task.Image = this->Image.data();
 }
 

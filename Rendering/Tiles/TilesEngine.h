@@ -5,7 +5,8 @@
  * tile by tile: order, set-up, coverage, shading, compositing, repair. No window, no GL; threads by
  * vtkSMPTools, vectors by Highway. Any mesh comes out right: every pixel keeps the exit of its last piece, and where a
  * later one begins before that the pixel is done again with its pieces sorted. A frame without such
- * pixels is proven. The result does not depend on the number of threads.
+ * pixels is proven. Cells behind pixels that are nearly opaque are not projected. The result does not
+ * depend on the number of threads.
  */
 #ifndef TilesEngine_h
 #define TilesEngine_h
@@ -50,6 +51,8 @@ public:
     /** The cells of the mesh that was given from back to front; null: found within each tile. */
     const std::vector<vtkIdType>* BackToFront = nullptr;
     TileLoop::AbortCheck IsAborted;
+    /** Leaves out cells behind pixels that are nearly opaque, see class TileOcclusion. */
+    bool EndsEarly = true;
   };
 
   void SetMesh(

@@ -69,9 +69,10 @@ void CheckTetrahedra(TestChecks& checks)
     {
       LookAt(arrays, view);
       Image all;
-      for (int part = 0; part < 4; ++part)
+      for (int part = 0; part < 5; ++part)
       {
-        arrays.SetFunction(part == 1);
+        // The last is opaque.
+        arrays.SetFunction(part == 1, part == 4 ? 0.004 : 0.2);
         arrays.Scene.BackToFront = part == 2 ? &order : nullptr;
         arrays.Scene.ClippingPlanes.clear();
         if (part == 3)
@@ -81,6 +82,7 @@ void CheckTetrahedra(TestChecks& checks)
         depth.assign(150 * 140, part == 3 ? 0.996f : 1.0f);
         arrays.Scene.OpaqueDepth = depth.data();
         CHECK(arrays.Render());
+        CHECK(part != 4 || view == 1 || arrays.Engine.GetCounts().HiddenCells > 0);
         const Image& image = arrays.Engine.GetImage();
         all.insert(all.end(), image.begin(), image.end());
       }

@@ -61,6 +61,7 @@ TilesEngine::Scene TilesScene::DescribeScene()
   scene.OpaqueDepth = this->OpaqueDepth.empty() ? nullptr : this->OpaqueDepth.data();
   scene.BackToFront = this->BackToFront.empty() ? nullptr : &this->BackToFront;
   scene.IsAborted = this->IsAborted;
+  scene.EndsEarly = this->EndsEarly;
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {

@@ -34,6 +34,7 @@ public:
   std::vector<vtkIdType> BackToFront;
   std::vector<float> OpaqueDepth;
   bool CellScalars = false;
+  bool EndsEarly = true;
   TileLoop::AbortCheck IsAborted;
 
 private:

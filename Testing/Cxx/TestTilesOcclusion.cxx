@@ -1,0 +1,201 @@
+// Cells behind pixels that are nearly opaque are left out: most of a dense lattice; the image is the
+// oracle's, and but for a millionth that of all cells, on concave meshes and circles, in orders that are
+// wrong, with clipping planes, cells of one scalar each and light, and the same bytes for any number of
+// threads.
+
+#include "MeshLattice.h"
+#include "SortMeshes.h"
+#include "TileArrays.h"
+#include "TilesScene.h"
+
+#include "vtkCamera.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkSMPTools.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace
+{
+using Image = std::vector<float>;
+
+double Difference(const Image& a, const Image& b)
+{
+  double greatest = a.size() == b.size() ? 0.0 : 1e30;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    greatest = std::max<double>(greatest, std::abs(a[i] - b[i]));
+  }
+  return greatest;
+}
+
+double ShareHidden(const TilesEngine& engine)
+{
+  const TileCounts& counts = engine.GetCounts();
+  return static_cast<double>(counts.HiddenCells) / static_cast<double>(counts.Cells);
+}
+
+// Rays of an optical depth of 600, 100 and 3; what lies behind depth 16 shows nothing.
+void CheckLattice(TestChecks& checks)
+{
+  TileArrays arrays(24);
+  arrays.SetMesh();
+  arrays.LookFrom({ 1.5, 2.0, 3.5 }, 32.0, 300, 280);
+  const double units[3] = { 0.0025, 0.015, 0.5 };
+  const double least[3] = { 0.6, 0.35, 0.0 }, most[3] = { 0.9, 0.9, 0.0 };
+  for (int i = 0; i < 3; ++i)
+  {
+    arrays.SetFunction(false, units[i]);
+    arrays.Scene.EndsEarly = false;
+    CHECK(arrays.Render());
+    const Image all = arrays.Engine.GetImage();
+    const TileCounts counts = arrays.Engine.GetCounts();
+    CHECK(counts.HiddenCells == 0);
+    arrays.Scene.EndsEarly = true;
+    CHECK(arrays.Render());
+    const double hidden = ShareHidden(arrays.Engine);
+    std::cout << "unit distance " << units[i] << ": hidden " << hidden << ", fragments "
+              << arrays.Engine.GetCounts().Fragments << " of " << counts.Fragments << "\n";
+    CHECK_AT_MOST(Difference(arrays.Engine.GetImage(), all), 1e-6);
+    CHECK(hidden >= least[i]);
+    CHECK(hidden <= most[i]);
+    CHECK(arrays.Engine.GetCounts().Cells == counts.Cells);
+    CHECK(arrays.Engine.GetCounts().Fragments <= (1.0 - 0.8 * least[i]) * counts.Fragments);
+  }
+}
+
+void CheckThreads(TestChecks& checks)
+{
+  TileArrays arrays(12);
+  arrays.SetMesh();
+  arrays.SetFunction(false, 0.005);
+  arrays.LookFrom({ 1.5, 2.0, 3.5 }, 32.0, 200, 180);
+  std::vector<Image> images;
+  for (const int threads : { 1, 2, 5 })
+  {
+    vtkSMPTools::Initialize(threads);
+    CHECK(arrays.Render());
+    CHECK(ShareHidden(arrays.Engine) > 0.3);
+    images.push_back(arrays.Engine.GetImage());
+    CHECK(images.back() == images.front());
+  }
+  vtkSMPTools::Initialize(0);
+}
+
+// The oracle's image; returns the share of hidden cells.
+double CheckScene(TestChecks& checks, TilesScene& scene, const std::string& name)
+{
+  const double error = scene.TilesError(name);
+  CHECK(error >= 0.0);
+  CHECK_AT_MOST(error, 1e-4);
+  const Image early = scene.Engine.GetImage();
+  const double hidden = ShareHidden(scene.Engine);
+  std::cout << name << ": hidden " << hidden << "\n";
+  scene.EndsEarly = false;
+  CHECK(scene.DrawTiles());
+  CHECK_AT_MOST(Difference(early, scene.Engine.GetImage()), 1e-6);
+  scene.EndsEarly = true;
+  return hidden;
+}
+
+void LookAt(TilesScene& scene, vtkUnstructuredGrid* grid)
+{
+  double bounds[6], center[3];
+  grid->GetBounds(bounds);
+  grid->GetCenter(center);
+  const double distance = 1.3 * grid->GetLength();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(
+    center[0] + 0.1 * distance, center[1] + 0.2 * distance, center[2] + 0.97 * distance);
+  scene.Renderer->ResetCameraClippingRange(bounds);
+}
+
+constexpr double Turn = 6.283185307179586;
+
+// A ring, concave, of cells so small that some lie behind others.
+SortMeshes::Grid Ring()
+{
+  MeshLattice ring(6, 60, 6);
+  ring.SetWrap(1);
+  ring.SetMap(
+    [](const double u[3], double p[3])
+    {
+      p[0] = (0.6 + 0.06 * u[0]) * std::cos(Turn * u[1] / 60.0);
+      p[1] = (0.6 + 0.06 * u[0]) * std::sin(Turn * u[1] / 60.0);
+      p[2] = 0.06 * u[2];
+    });
+  return SortMeshes::Kuhn(ring.Make());
+}
+
+// Three slanted bars that each cover the next: a circle.
+SortMeshes::Grid Bars()
+{
+  SortMeshes::Grid all;
+  for (int i = 0; i < 3; ++i)
+  {
+    MeshLattice bar(40, 5, 5);
+    bar.SetMap(
+      [i](const double u[3], double p[3])
+      {
+        const double x = 0.055 * (u[0] - 20.0), y = 0.25 + 0.04 * u[1];
+        p[0] = std::cos(Turn * i / 3.0) * x - std::sin(Turn * i / 3.0) * y;
+        p[1] = std::sin(Turn * i / 3.0) * x + std::cos(Turn * i / 3.0) * y;
+        p[2] = 0.3 * x + 0.04 * (u[2] - 2.5);
+      });
+    const auto next = SortMeshes::Kuhn(bar.Make());
+    all = all ? SortMeshes::Join(all, next) : next;
+  }
+  return all;
+}
+
+void CheckMeshes(TestChecks& checks)
+{
+  TilesScene scene(190, 180);
+  for (const bool isRing : { true, false })
+  {
+    const auto grid = isRing ? Ring() : Bars();
+    SortMeshes::AddScalar(grid);
+    scene.SetTetrahedra(grid);
+    LookAt(scene, grid);
+    scene.SetSmooth();
+    scene.Property->SetScalarOpacityUnitDistance(0.003 * grid->GetLength());
+    CHECK(CheckScene(checks, scene, isRing ? "ring" : "bars") >= (isRing ? 0.03 : 0.0));
+  }
+}
+
+// In the order of ids pixels are done again: with the cells that others hid.
+void CheckAnyOrder(TestChecks& checks)
+{
+  TilesScene scene(110, 100);
+  auto grid = SortMeshes::Kuhn(SortMeshes::JitteredLattice(12, 0.2));
+  SortMeshes::AddScalar(grid);
+  scene.SetTetrahedra(grid);
+  LookAt(scene, grid);
+  scene.SetSmooth();
+  scene.Property->SetScalarOpacityUnitDistance(0.01 * grid->GetLength());
+  CHECK(CheckScene(checks, scene, "lattice") > 0.25);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(grid->GetCenter());
+  plane->SetNormal(0.6, 0.0, 0.8);
+  scene.Mapper->AddClippingPlane(plane);
+  CHECK(CheckScene(checks, scene, "clipped") > 0.1);
+  scene.Mapper->RemoveAllClippingPlanes();
+  scene.BackToFront.resize(static_cast<std::size_t>(grid->GetNumberOfCells()));
+  std::iota(scene.BackToFront.begin(), scene.BackToFront.end(), 0);
+  CHECK(CheckScene(checks, scene, "in the order of ids") > 0.0);
+  CHECK(scene.Engine.GetCounts().RepairedPixels > 1000);
+}
+}
+
+int TestTilesOcclusion(int, char*[])
+{
+  TestChecks checks;
+  CheckLattice(checks);
+  CheckThreads(checks);
+  CheckMeshes(checks);
+  CheckAnyOrder(checks);
+  return checks.Result();
+}
