@@ -40,19 +40,22 @@ struct CellProjectionFrame
   vtkTextureObject* Image = nullptr;
   /// Whether the Tiles engine draws, not Raster.
   bool UsesTiles = false;
-  /// For Tiles: window depths of the image's pixels, row by row; empty where nothing opaque is there.
-  std::vector<float> OpaqueDepths;
+  /// For Tiles: window depths of the image's pixels, row by row; null where nothing opaque is there.
+  const float* OpaqueDepths = nullptr;
+  /// What Tiles drew: premultiplied RGBA of the viewport's size, row by row; null where Raster draws.
+  const float* Pixels = nullptr;
   FrameStatistics Statistics;
 
-  /// By so many pixels on each side.
-  void WidenBox(int by)
+  /// The box with so many pixels more on each side, within the viewport.
+  std::array<int, 4> GetWidenedBox(int by) const
   {
+    std::array<int, 4> box = this->Box;
     for (int k = 0; k < 2; ++k)
     {
-      const int last = std::min(this->Box[k] + this->Box[k + 2] + by, this->Size[k]);
-      this->Box[k] = std::max(this->Box[k] - by, 0);
-      this->Box[k + 2] = last - this->Box[k];
+      box[k] = std::max(this->Box[k] - by, 0);
+      box[k + 2] = std::min(this->Box[k] + this->Box[k + 2] + by, this->Size[k]) - box[k];
     }
+    return box;
   }
 
   RasterView GetRasterView() const

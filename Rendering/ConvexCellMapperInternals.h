@@ -9,6 +9,7 @@
 #include "OpaqueDepth.h"
 #include "PreparedVolume.h"
 #include "VolumePropertyReader.h"
+#include "WindowPixels.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkConvexCells.h"
 #include "vtkCellArray.h"
@@ -79,7 +80,9 @@ public:
   ScalarSource SeenSource;
 
   OpaqueDepth Depth;
+  std::vector<float> OpaqueDepths;
   FloatTarget Target;
+  WindowPixels Pixels;
   CoarseImage Coarse;
   ImageSampling Sampling;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

@@ -1,6 +1,8 @@
 // How vtkConvexCellMapper draws by Tiles: as fine as the time allows, and enlarged to the viewport.
 
 #include "ConvexCellMapperInternals.h"
+#include "EngineChoice.h"
+#include "MapperMessages.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkVolume.h"
 
@@ -20,31 +22,61 @@ double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame
 }
 
 //------------------------------------------------------------------------------
+void vtkConvexCellMapper::ReadOpaqueDepth(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const double distance = frame.Statistics.ImageSampleDistance;
+  const bool isRead = internal.Depth.Read(
+    frame.Window, frame.Origin, frame.GetWidenedBox(static_cast<int>(std::ceil(distance))));
+  this->WarnOnce(MapperMessages::UnreadableDepth(isRead));
+  const DepthPixels& pixels = internal.Depth.GetPixels();
+  if (pixels.AreClear())
+  {
+    return;
+  }
+  pixels.Expand(frame.Size[0], frame.Size[1], internal.OpaqueDepths);
+  frame.OpaqueDepths = distance > 1.0 ? internal.Coarse.ReduceDepths(internal.OpaqueDepths).data()
+                                      : internal.OpaqueDepths.data();
+}
+
+//------------------------------------------------------------------------------
 bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
-  internal.Depth.Read(frame.OpaqueDepths);
   const double distance = this->ChooseImageSampleDistance(frame);
   frame.Statistics.ImageSampleDistance = distance;
   const bool isCoarse = distance > 1.0;
   if (isCoarse)
   {
     internal.Coarse.SetSize(frame.Size[0], frame.Size[1], distance);
-    frame.OpaqueDepths = internal.Coarse.ReduceDepths(frame.OpaqueDepths);
     frame.ImageSize[0] = internal.Coarse.GetWidth();
     frame.ImageSize[1] = internal.Coarse.GetHeight();
-    frame.WidenBox(static_cast<int>(std::ceil(distance)));
+    frame.Box = frame.GetWidenedBox(static_cast<int>(std::ceil(distance)));
   }
+  this->ReadOpaqueDepth(frame);
   const float* image = this->DrawTiles(frame);
   if (!frame.Window->IsCurrent())
   {
     // What the abort check woke has drawn elsewhere.
     frame.Window->MakeCurrent();
   }
-  const float* enlarged = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
-  const bool isDrawn = internal.Target.Upload(frame.Window, frame.Size, frame.Box, enlarged);
-  frame.Statistics.CellsDrawn = isDrawn ? frame.Statistics.CellsDrawn : 0;
-  return isDrawn;
+  frame.Pixels = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
+  frame.Statistics.CellsDrawn = image ? frame.Statistics.CellsDrawn : 0;
+  return image != nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::LayPixelsOver(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  const bool isLaid = !this->CaptureImage && EngineChoice::IsSoftware() &&
+                      internal.Pixels.LayOver(
+                        frame.Window, frame.Origin, frame.Box, frame.Pixels, frame.Size[0]);
+  if (!isLaid)
+  {
+    internal.Target.Upload(frame.Window, frame.Size, frame.Box, frame.Pixels);
+  }
+  return isLaid;
 }
 
 //------------------------------------------------------------------------------

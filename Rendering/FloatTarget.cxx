@@ -33,13 +33,9 @@ void FloatTarget::Allocate(vtkOpenGLRenderWindow* window, int width, int height)
 }
 
 //------------------------------------------------------------------------------
-bool FloatTarget::Upload(
+void FloatTarget::Upload(
   vtkOpenGLRenderWindow* window, const int size[2], const Box& box, const float* image)
 {
-  if (!image)
-  {
-    return false;
-  }
   this->Allocate(window, size[0], size[1]);
   this->Color->Activate();
   glPixelStorei(GL_UNPACK_ROW_LENGTH, size[0]);
@@ -47,7 +43,6 @@ bool FloatTarget::Upload(
     image + 4 * (static_cast<std::ptrdiff_t>(box[1]) * size[0] + box[0]));
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   this->Color->Deactivate();
-  return true;
 }
 
 //------------------------------------------------------------------------------

@@ -35,8 +35,8 @@ public:
   /// A part of the image: x, y, width and height.
   using Box = std::array<int, 4>;
 
-  /// Takes that part of an image that was drawn elsewhere instead; false where there is none.
-  bool Upload(
+  /// Takes that part of an image that was drawn elsewhere instead.
+  void Upload(
     vtkOpenGLRenderWindow* window, const int size[2], const Box& box, const float* image);
 
   /// The image as one float array RGBA, first row at the bottom.

@@ -78,6 +78,12 @@ std::string UnresolvedCells(vtkIdType count)
 }
 
 //------------------------------------------------------------------------------
+std::string UnreadableDepth(bool isRead)
+{
+  return isRead ? "" : "The window's depth cannot be read: opaque geometry does not hide the volume.";
+}
+
+//------------------------------------------------------------------------------
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars)
 {
   const std::string name = array->GetName() ? array->GetName() : "(without a name)";

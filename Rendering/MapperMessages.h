@@ -29,6 +29,9 @@ std::string FlatTetrahedra(vtkIdType count);
 /// That so many cells hide each other in circles too large for class DepthLayers; empty for none.
 std::string UnresolvedCells(vtkIdType count);
 
+/// That opaque geometry hides nothing; empty where its depth was read.
+std::string UnreadableDepth(bool isRead);
+
 std::string NonFiniteScalars(vtkDataArray* array, const ScalarField& scalars);
 }
 

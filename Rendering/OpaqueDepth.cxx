@@ -6,7 +6,6 @@
 
 #include CELLPROJECTION_OPENGL_HEADER
 
-#include <algorithm>
 #include <vector>
 
 namespace
@@ -77,7 +76,8 @@ private:
 //------------------------------------------------------------------------------
 bool OpaqueDepth::Grab(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
 {
-  if (this->Copy(window, origin, size))
+  this->Allocate(window, size);
+  if (Visit(window, origin, size, [&](const int corner[2]) { this->CopyBound(corner, size); }))
   {
     return true;
   }
@@ -88,9 +88,34 @@ bool OpaqueDepth::Grab(vtkOpenGLRenderWindow* window, const int origin[2], const
 }
 
 //------------------------------------------------------------------------------
-bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+bool OpaqueDepth::Read(vtkOpenGLRenderWindow* window, const int origin[2], const Box& box)
 {
-  this->Allocate(window, size);
+  if (box[2] <= 0 || box[3] <= 0)
+  {
+    this->Pixels.Allocate({ { 0, 0, 0, 0 } }, false);
+    return true;
+  }
+  // As the framebuffer holds them: drivers convert slowly.
+  const bool areFloats = AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  const int first[2] = { origin[0] + box[0], origin[1] + box[1] };
+  void* values = this->Pixels.Allocate(box, areFloats);
+  const bool isRead = Visit(window, first, &box[2],
+    [&](const int corner[2])
+    {
+      glReadPixels(corner[0], corner[1], box[2], box[3], GL_DEPTH_COMPONENT,
+        areFloats ? GL_FLOAT : GL_UNSIGNED_INT, values);
+    });
+  if (!isRead)
+  {
+    this->Pixels.Allocate({ { 0, 0, 0, 0 } }, areFloats);
+  }
+  return isRead;
+}
+
+//------------------------------------------------------------------------------
+bool OpaqueDepth::Visit(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2],
+  const Reading& read)
+{
   // An error that others left behind is not ours.
   glGetError();
   vtkOpenGLState* state = window->GetState();
@@ -103,26 +128,18 @@ bool OpaqueDepth::Copy(vtkOpenGLRenderWindow* window, const int origin[2], const
   }
   if (framebuffer != 0 && samples > 0)
   {
-    return this->Resolve(window, origin, size);
+    return VisitResolved(window, origin, size, read);
   }
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
-  this->CopyBound(origin, size);
+  read(origin);
   state->PopFramebufferBindings();
   return glGetError() == GL_NO_ERROR;
 }
 
 //------------------------------------------------------------------------------
-void OpaqueDepth::CopyBound(const int origin[2], const int size[2])
-{
-  // VTK's own CopyFromFrameBuffer would resolve once more, into a format that may not match.
-  this->Depth->Activate();
-  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, origin[0], origin[1], size[0], size[1]);
-  this->Depth->Deactivate();
-}
-
-//------------------------------------------------------------------------------
-bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], const int size[2])
+bool OpaqueDepth::VisitResolved(vtkOpenGLRenderWindow* window, const int origin[2],
+  const int size[2], const Reading& read)
 {
   const int format = DepthFormat();
   if (format == 0)
@@ -145,23 +162,19 @@ bool OpaqueDepth::Resolve(vtkOpenGLRenderWindow* window, const int origin[2], co
     // A framebuffer without colour is complete for reading only if no colour is to be read.
     state->vtkglReadBuffer(GL_NONE);
     const int corner[2] = { 0, 0 };
-    this->CopyBound(corner, size);
+    read(corner);
     state->PopFramebufferBindings();
   }
   return glGetError() == GL_NO_ERROR;
 }
 
 //------------------------------------------------------------------------------
-void OpaqueDepth::Read(std::vector<float>& depths)
+void OpaqueDepth::CopyBound(const int origin[2], const int size[2])
 {
-  depths.resize(static_cast<size_t>(this->Depth->GetWidth()) * this->Depth->GetHeight());
+  // VTK's own CopyFromFrameBuffer would resolve once more, into a format that may not match.
   this->Depth->Activate();
-  glGetTexImage(GL_TEXTURE_2D, 0, GL_DEPTH_COMPONENT, GL_FLOAT, depths.data());
+  glCopyTexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, origin[0], origin[1], size[0], size[1]);
   this->Depth->Deactivate();
-  if (std::all_of(depths.begin(), depths.end(), [](float depth) { return depth >= 1.0f; }))
-  {
-    depths.clear();
-  }
 }
 
 //------------------------------------------------------------------------------

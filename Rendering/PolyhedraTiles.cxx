@@ -10,7 +10,7 @@ ConvexTilesFrame::Scene PolyhedraTiles::DescribeScene(
   ConvexTilesFrame::Scene scene;
   scene.Camera = TilesFrame::GetCamera(frame);
   scene.Function = &prepared.Function;
-  scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
+  scene.OpaqueDepth = frame.OpaqueDepths;
   scene.ClippingPlanes = frame.ClippingPlanes;
   scene.IsAborted = TilesFrame::GetAbortCheck(frame);
   return scene;

@@ -28,6 +28,7 @@ list(APPEND sources
   Rendering/CutSurfaces.cxx
   Rendering/DependentColors.cxx
   Rendering/DepthLayers.cxx
+  Rendering/DepthPixels.cxx
   Rendering/DrawnCells.cxx
   Rendering/DrawnFaces.cxx
   Rendering/ElementBuffers.cxx
@@ -62,6 +63,7 @@ list(APPEND sources
   Rendering/NumberedTriangles.cxx
   Rendering/OpaqueDepth.cxx
   Rendering/PassTriangles.cxx
+  Rendering/PixelBlending.cxx
   Rendering/PolyhedraRaster.cxx
   Rendering/PreIntegrationTable.cxx
   Rendering/PreIntegrationTexture.cxx
@@ -101,7 +103,8 @@ list(APPEND sources
   Rendering/VolumePropertyReader.cxx
   Rendering/VolumeShading.cxx
   Rendering/VolumeTexture.cxx
-  Rendering/VoxelApproximation.cxx)
+  Rendering/VoxelApproximation.cxx
+  Rendering/WindowPixels.cxx)
 
 list(APPEND private_headers
   Rendering/ActiveCells.h
@@ -126,6 +129,7 @@ list(APPEND private_headers
   Rendering/CutSurfaces.h
   Rendering/DependentColors.h
   Rendering/DepthLayers.h
+  Rendering/DepthPixels.h
   Rendering/DrawnCells.h
   Rendering/DrawnFaces.h
   Rendering/ElementBuffers.h
@@ -157,6 +161,7 @@ list(APPEND private_headers
   Rendering/NumberedPoints.h
   Rendering/OpaqueDepth.h
   Rendering/PassTriangles.h
+  Rendering/PixelBlending.h
   Rendering/PolyhedraRaster.h
   Rendering/PreIntegrationTable.h
   Rendering/PreIntegrationTexture.h
@@ -200,4 +205,5 @@ list(APPEND private_headers
   Rendering/VolumePropertyReader.h
   Rendering/VolumeShading.h
   Rendering/VolumeTexture.h
-  Rendering/VoxelApproximation.h)
+  Rendering/VoxelApproximation.h
+  Rendering/WindowPixels.h)

@@ -70,7 +70,7 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   scene.Camera = TilesFrame::GetCamera(frame);
   scene.Function = &prepared.Function;
   scene.Shading = &shading;
-  scene.OpaqueDepth = frame.OpaqueDepths.empty() ? nullptr : frame.OpaqueDepths.data();
+  scene.OpaqueDepth = frame.OpaqueDepths;
   scene.ClippingPlanes = frame.ClippingPlanes;
   scene.IsAborted = TilesFrame::GetAbortCheck(frame);
   scene.BackToFront = order ? &order->Cells : nullptr;

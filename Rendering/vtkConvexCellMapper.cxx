@@ -234,7 +234,7 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
   FrameStatistics::Timer timer(frame.Statistics.SecondsProject);
   if (!this->DrawsIntoWindow())
   {
-    return this->ProjectIntoTarget(frame);
+    return frame.UsesTiles ? this->ProjectByTiles(frame) : this->ProjectIntoTarget(frame);
   }
   const bool drawn = this->ProjectCells(frame);
   glFinish();
@@ -244,15 +244,9 @@ bool vtkConvexCellMapper::Project(CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 bool vtkConvexCellMapper::ProjectIntoTarget(CellProjectionFrame& frame)
 {
-  if (!this->Internal->Depth.Grab(frame.Window, frame.Origin, frame.Size))
-  {
-    this->WarnOnce("The window's depth cannot be read: opaque geometry does not hide the volume.");
-  }
+  const bool hasDepth = this->Internal->Depth.Grab(frame.Window, frame.Origin, frame.Size);
+  this->WarnOnce(MapperMessages::UnreadableDepth(hasDepth));
   frame.OpaqueDepth = this->Internal->Depth.GetTexture();
-  if (frame.UsesTiles)
-  {
-    return this->ProjectByTiles(frame);
-  }
   const PremultipliedBlending blending(frame.Window->GetState());
   if (!this->Internal->Target.Begin(frame.Window, frame.Size[0], frame.Size[1]))
   {
@@ -271,6 +265,10 @@ bool vtkConvexCellMapper::ProjectIntoTarget(CellProjectionFrame& frame)
 void vtkConvexCellMapper::Blend(CellProjectionFrame& frame)
 {
   FrameStatistics::Timer timer(frame.Statistics.SecondsBlend);
+  if (frame.Pixels && this->LayPixelsOver(frame))
+  {
+    return;
+  }
   if (this->CaptureImage)
   {
     this->Internal->Captured = vtkSmartPointer<vtkImageData>::New();

@@ -275,6 +275,8 @@ private:
   void ReportCells();
   bool Project(CellProjectionFrame& frame);
   bool ProjectByTiles(CellProjectionFrame& frame);
+  void ReadOpaqueDepth(CellProjectionFrame& frame);
+  bool LayPixelsOver(CellProjectionFrame& frame);
   double ChooseImageSampleDistance(CellProjectionFrame& frame) const;
   void RecordSampling(const CellProjectionFrame& frame, bool isDrawn);
   bool ProjectIntoTarget(CellProjectionFrame& frame);

@@ -1,0 +1,127 @@
+#include "WindowPixels.h"
+
+#include "PixelBlending.h"
+#include "VTKVersions.h"
+#include "vtkOpenGLRenderWindow.h"
+#include "vtkOpenGLState.h"
+#include "vtkSMPTools.h"
+
+#include CELLPROJECTION_OPENGL_HEADER
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+namespace
+{
+int Get(GLenum name)
+{
+  int value = 0;
+  glGetIntegerv(name, &value);
+  return value;
+}
+
+// Of what is bound for drawing.
+int AttachmentParameter(GLenum attachment, GLenum parameter)
+{
+  int value = 0;
+  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, parameter, &value);
+  return value;
+}
+
+// The only attachment that is drawn to; GL_NONE where there are more, or none.
+GLenum FindDrawBuffer()
+{
+  const int last = Get(GL_MAX_DRAW_BUFFERS) - 1;
+  for (int i = 1; i <= last; ++i)
+  {
+    if (Get(GL_DRAW_BUFFER0 + static_cast<GLenum>(i)) != GL_NONE)
+    {
+      return GL_NONE;
+    }
+  }
+  return static_cast<GLenum>(Get(GL_DRAW_BUFFER0));
+}
+
+bool IsPlainTexture(GLenum attachment)
+{
+  const struct
+  {
+    GLenum Name;
+    int Value;
+  } expected[] = { { GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE, GL_TEXTURE },
+    { GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LEVEL, 0 }, { GL_FRAMEBUFFER_ATTACHMENT_TEXTURE_LAYER, 0 },
+    { GL_FRAMEBUFFER_ATTACHMENT_RED_SIZE, 8 }, { GL_FRAMEBUFFER_ATTACHMENT_GREEN_SIZE, 8 },
+    { GL_FRAMEBUFFER_ATTACHMENT_BLUE_SIZE, 8 }, { GL_FRAMEBUFFER_ATTACHMENT_ALPHA_SIZE, 8 },
+    { GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, GL_UNSIGNED_NORMALIZED },
+    { GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, GL_LINEAR } };
+  return std::all_of(std::begin(expected), std::end(expected), [attachment](const auto& each)
+    { return AttachmentParameter(attachment, each.Name) == each.Value; });
+}
+
+// Whether every fragment is written as it is.
+bool IsUnmasked()
+{
+  GLboolean mask[4] = {};
+  glGetBooleanv(GL_COLOR_WRITEMASK, mask);
+  return std::all_of(std::begin(mask), std::end(mask), [](GLboolean on) { return on == GL_TRUE; }) &&
+         !glIsEnabled(GL_STENCIL_TEST) && !glIsEnabled(GL_COLOR_LOGIC_OP);
+}
+}
+
+//------------------------------------------------------------------------------
+bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], const Box& box,
+  const float* image, int width)
+{
+  // An error that others left behind is not ours.
+  glGetError();
+  const int framebuffer = Get(GL_DRAW_FRAMEBUFFER_BINDING);
+  const GLenum attachment = framebuffer == 0 ? GL_NONE : FindDrawBuffer();
+  if (attachment == GL_NONE || Get(GL_SAMPLES) > 0 || !IsUnmasked() || !IsPlainTexture(attachment))
+  {
+    return false;
+  }
+  vtkOpenGLState* state = window->GetState();
+  state->PushFramebufferBindings();
+  state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
+  const int texture = AttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+  const int bound = Get(GL_TEXTURE_BINDING_2D);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
+  const int corner[2] = { origin[0] + box[0], origin[1] + box[1] };
+  const bool isDone = static_cast<GLenum>(Get(GL_READ_BUFFER)) == attachment &&
+                      this->Exchange(corner, box, image, width);
+  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  state->PopFramebufferBindings();
+  return isDone;
+}
+
+//------------------------------------------------------------------------------
+bool WindowPixels::Exchange(
+  const int corner[2], const Box& box, const float* image, int width)
+{
+  this->Colors.resize(4 * static_cast<std::size_t>(box[2]) * box[3]);
+  glReadPixels(corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE, this->Colors.data());
+  if (glGetError() != GL_NO_ERROR)
+  {
+    return false;
+  }
+  this->Blend(box, image, width);
+  glTexSubImage2D(GL_TEXTURE_2D, 0, corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE,
+    this->Colors.data());
+  return glGetError() == GL_NO_ERROR;
+}
+
+//------------------------------------------------------------------------------
+void WindowPixels::Blend(const Box& box, const float* image, int width)
+{
+  vtkSMPTools::For(0, box[3], 64,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (vtkIdType y = begin; y < end; ++y)
+      {
+        const auto first = static_cast<std::size_t>(box[1] + y) * width + box[0];
+        PixelBlending::LayOver(
+          image + 4 * first, box[2], &this->Colors[4 * static_cast<std::size_t>(y) * box[2]]);
+      }
+    });
+}
