@@ -1,12 +1,33 @@
-// How vtkConvexCellMapper draws by Tiles: as fine as the time allows, and enlarged to the viewport.
+// When and how vtkConvexCellMapper draws by Tiles: as fine as the time allows, and enlarged to the
+// viewport.
 
 #include "ConvexCellMapperInternals.h"
 #include "EngineChoice.h"
 #include "MapperMessages.h"
+#include "VTKVersions.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkVolume.h"
 
+#include CELLPROJECTION_OPENGL_HEADER
+
 #include <cmath>
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::ChooseEngine(CellProjectionFrame& frame)
+{
+  const std::string obstacle = this->FindTilesObstacle(frame);
+  frame.UsesTiles = EngineChoice::UsesTiles(this->Engine, obstacle);
+  frame.Statistics.Engine = frame.UsesTiles ? "Tiles" : "Raster";
+  if (frame.UsesTiles)
+  {
+    // Software draws what the scene asked for so far while we prepare; its depth is read then.
+    glFlush();
+  }
+  if (this->Engine == TILES && !obstacle.empty())
+  {
+    this->WarnOnce("The Tiles engine does not draw " + obstacle + ": drawn by Raster.");
+  }
+}
 
 //------------------------------------------------------------------------------
 double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame) const

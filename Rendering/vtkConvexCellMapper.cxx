@@ -2,7 +2,6 @@
 
 #include "BlendModeAdvice.h"
 #include "ConvexCellMapperInternals.h"
-#include "EngineChoice.h"
 #include "MapperMessages.h"
 #include "MeshExtent.h"
 #include "PremultipliedBlending.h"
@@ -92,18 +91,6 @@ bool vtkConvexCellMapper::EnterWindow(CellProjectionFrame& frame)
   this->Internal->Window = frame.Window;
   this->ChooseEngine(frame);
   return true;
-}
-
-//------------------------------------------------------------------------------
-void vtkConvexCellMapper::ChooseEngine(CellProjectionFrame& frame)
-{
-  const std::string obstacle = this->FindTilesObstacle(frame);
-  frame.UsesTiles = EngineChoice::UsesTiles(this->Engine, obstacle);
-  frame.Statistics.Engine = frame.UsesTiles ? "Tiles" : "Raster";
-  if (this->Engine == TILES && !obstacle.empty())
-  {
-    this->WarnOnce("The Tiles engine does not draw " + obstacle + ": drawn by Raster.");
-  }
 }
 
 //------------------------------------------------------------------------------
