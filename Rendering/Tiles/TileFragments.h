@@ -45,13 +45,18 @@ struct TileFragments
     for (int run = 0; run < this->Runs; ++run)
     {
       const int end = run + 1 < this->Runs ? this->RunStart[run + 1] : this->Count;
-      std::fill(this->Cell + this->RunStart[run], this->Cell + end, this->RunCell[run]);
+      // Whole vectors: what runs over is the next cell's, or padding.
+      for (int at = this->RunStart[run]; at < end; at += Vector)
+      {
+        std::fill_n(this->Cell + at, Vector, this->RunCell[run]);
+      }
     }
     this->Runs = 0;
   }
   bool NamesCells = false;
 
 private:
+  static constexpr int Vector = 16;
   int Runs = 0;
   int RunStart[Capacity];
   int RunCell[Capacity];

@@ -49,7 +49,6 @@ HWY_INLINE ShadeVector Power(ShadeVector base, float power)
 /// What a light's way makes of a piece: a + b share each.
 struct LitSide
 {
-  ShadeVector Way[3];
   /// Of gradient and way; of the way and that to the eye.
   ShadeVector Side, SideRise, Seen;
 };
@@ -185,25 +184,26 @@ private:
     const TileLight& light, const LitPieces& p, const LitCourse& c, LitSide& s) const
   {
     const ShadeFloat d;
+    ShadeVector way[3];
     for (int k = 0; k < 3; ++k)
     {
-      s.Way[k] = hn::Set(d, light.Place[k]);
+      way[k] = hn::Set(d, light.Place[k]);
     }
     if (light.IsPositional)
     {
       for (int k = 0; k < 3; ++k)
       {
-        s.Way[k] = hn::Sub(s.Way[k], hn::MulAdd(hn::Set(d, 0.5f), c.Way[k], c.Point[k]));
+        way[k] = hn::Sub(way[k], hn::MulAdd(hn::Set(d, 0.5f), c.Way[k], c.Point[k]));
       }
-      const auto inverse = InverseRoot(Dot(s.Way, s.Way));
-      for (auto& component : s.Way)
+      const auto inverse = InverseRoot(Dot(way, way));
+      for (auto& component : way)
       {
         component = hn::Mul(component, inverse);
       }
     }
-    s.Side = Dot(p.Gradient, s.Way);
-    s.SideRise = Dot(p.GradientRise, s.Way);
-    s.Seen = Dot(p.ToEye, s.Way);
+    s.Side = Dot(p.Gradient, way);
+    s.SideRise = Dot(p.GradientRise, way);
+    s.Seen = Dot(p.ToEye, way);
   }
 
   /// Where the gradient has turned by the greatest angle: it moves along a line that passes zero at

@@ -234,7 +234,7 @@ private:
     {
       point[k] = hn::NegMulAdd(p.Depth, toEye[k], point[k]);
       way[k] = hn::Neg(hn::Mul(p.DepthRise, toEye[k]));
-      p.Gradient[k] = p.GradientRise[k] = p.Color[k] = p.ColorRise[k] = hn::Zero(d);
+      p.Gradient[k] = p.GradientRise[k] = hn::Zero(d);
     }
     FieldRows rows;
     if (this->Kind.IsLit() || this->Kind.HasOpacity())
