@@ -37,6 +37,7 @@ struct LitWork
   LitCourse Light;
   TileGradientOpacity::Course Opacity;
   LitPart Part;
+  LitNodes Nodes;
 };
 
 template <class LookUp, bool General>
@@ -164,6 +165,15 @@ private:
     this->LimitDepth(w.Piece, w.Opacity, used, w.Part);
   }
 
+  /// Where in the part light is looked at.
+  HWY_INLINE void FindNodes(LitWork& w) const
+  {
+    if (!this->Kind.HasOpacity())
+    {
+      w.Nodes.Find(w.Part);
+    }
+  }
+
   /// The part's colour; what is left behind it waits.
   HWY_INLINE void ColorPart(const LitWork& w, TileLitPieces& rest, ShadeVector (&color)[4]) const
   {
@@ -174,7 +184,7 @@ private:
     }
     else
     {
-      this->PartColors.ShadeLinear(w.Piece, w.Light, w.Part, color);
+      this->PartColors.ShadeLinear(w.Piece, w.Light, w.Part, w.Nodes, color);
     }
     if (!hn::AllFalse(d, w.Part.Open))
     {
@@ -280,6 +290,7 @@ private:
     ShadeInSteps<LitWork, batch>(
       q, [&](int at, LitWork& w) { this->FindFirstPiece(q, at, w.Piece); },
       [&](ShadeMask used, LitWork& w) { this->CutPiece(used, 0, w); },
+      [&](LitWork& w) { this->FindNodes(w); },
       [&](const LitWork& w, ShadeVector (&color)[4]) { this->ColorPart(w, rest, color); });
   }
 
@@ -296,6 +307,7 @@ private:
       this->Light.FindToEye(work.Piece.Pixel, work.Piece.ToEye);
       ShadeVector color[4];
       this->CutPiece(hn::FirstN(d, static_cast<std::size_t>(count)), pass, work);
+      this->FindNodes(work);
       this->ColorPart(work, next, color);
       for (auto& component : color)
       {

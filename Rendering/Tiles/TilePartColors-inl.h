@@ -45,28 +45,17 @@ struct GreySum
   ShadeVector Scalar, Factor, Highlight;
 };
 
-template <class LookUp, bool General>
-class TilePartColors
+/// Two places along a part of a piece, and the shares of its alpha that stand for them.
+struct LitNodes
 {
-public:
-  TilePartColors(const TileTransfer& transfer, const LitKind<General>& kind,
-    const TileLightSource& light, const TileGradientOpacity& opacity,
-    const TileComponentColors& colors)
-    : Transfer(transfer)
-    , Kind(kind)
-    , Light(light)
-    , Opacity(opacity)
-    , Colors(colors)
-  {
-  }
+  ShadeVector Alpha, First, Second, Before, Behind;
 
   /// Of extinction that is linear: alpha is exact, and the two nodes are Gauss nodes of the light
   /// absorbed: sum, mean, mean square and nearly mean cube of its places, from -1 to 1.
-  HWY_INLINE void ShadeLinear(const LitPieces& p, const LitCourse& light, const LitPart& part,
-    ShadeVector (&color)[4]) const
+  HWY_INLINE void Find(const LitPart& part)
   {
     const ShadeFloat d;
-    const auto alpha = Absorption(d, part.Depth);
+    this->Alpha = Absorption(d, part.Depth);
     const auto total = hn::Add(hn::Add(part.Front, part.Back), hn::Set(d, 1e-30f));
     const auto lean = hn::Mul(hn::Sub(part.Back, part.Front), Reciprocal(d, total));
     const auto one = hn::Set(d, 1.0f), half = hn::Set(d, 0.5f);
@@ -82,25 +71,49 @@ public:
     const auto variance = hn::MulAdd(middle, hn::Sub(middle, hn::Add(mean, mean)), square);
     const auto inverse = InverseRoot(variance);
     const auto apart = hn::Mul(hn::Mul(variance, inverse), half);
-    const auto behind =
-      hn::Mul(hn::Mul(alpha, half), hn::MulAdd(hn::Sub(mean, middle), inverse, one));
+    this->Behind =
+      hn::Mul(hn::Mul(this->Alpha, half), hn::MulAdd(hn::Sub(mean, middle), inverse, one));
+    this->Before = hn::Sub(this->Alpha, this->Behind);
     const auto center = hn::MulAdd(middle, half, half);
-    const auto first = hn::Sub(center, apart), second = hn::Add(center, apart);
-    const auto before = hn::Sub(alpha, behind);
+    this->First = hn::Sub(center, apart);
+    this->Second = hn::Add(center, apart);
+  }
+};
+
+template <class LookUp, bool General>
+class TilePartColors
+{
+public:
+  TilePartColors(const TileTransfer& transfer, const LitKind<General>& kind,
+    const TileLightSource& light, const TileGradientOpacity& opacity,
+    const TileComponentColors& colors)
+    : Transfer(transfer)
+    , Kind(kind)
+    , Light(light)
+    , Opacity(opacity)
+    , Colors(colors)
+  {
+  }
+
+  /// The colour of a part whose extinction is linear.
+  HWY_INLINE void ShadeLinear(const LitPieces& p, const LitCourse& light, const LitPart& part,
+    const LitNodes& nodes, ShadeVector (&color)[4]) const
+  {
+    const ShadeFloat d;
     if (this->Kind.IsGrey())
     {
       GreySum sum{ hn::Zero(d), hn::Zero(d), hn::Zero(d) };
-      this->AddGrey(p, light, part, first, before, sum);
-      this->AddGrey(p, light, part, second, behind, sum);
+      this->AddGrey(p, light, part, nodes.First, nodes.Before, sum);
+      this->AddGrey(p, light, part, nodes.Second, nodes.Behind, sum);
       this->ColorGrey(p, sum, color);
     }
     else
     {
       color[0] = color[1] = color[2] = hn::Zero(d);
-      this->AddColor(p, light, part, first, before, color);
-      this->AddColor(p, light, part, second, behind, color);
+      this->AddColor(p, light, part, nodes.First, nodes.Before, color);
+      this->AddColor(p, light, part, nodes.Second, nodes.Behind, color);
     }
-    color[3] = hn::Neg(alpha);
+    color[3] = hn::Neg(nodes.Alpha);
   }
 
   /// Of any extinction: three nodes for the optical depth, too.

@@ -131,9 +131,10 @@ HWY_INLINE void AddColors(
 }
 
 /// Shades the first pieces step after step, `Batch` vectors at a time: within one vector the steps
-/// wait for each other. `find(at, work)`, `cut(used, work)`, `paint(work, color)`.
-template <class Work, int Batch, class Find, class Cut, class Paint>
-HWY_INLINE void ShadeInSteps(TileFragments& q, const Find& find, const Cut& cut, const Paint& paint)
+/// wait for each other. `find(at, work)`, `cut(used, work)`, `place(work)`, `paint(work, color)`.
+template <class Work, int Batch, class Find, class Cut, class Place, class Paint>
+HWY_INLINE void ShadeInSteps(
+  TileFragments& q, const Find& find, const Cut& cut, const Place& place, const Paint& paint)
 {
   const ShadeFloat d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -148,6 +149,10 @@ HWY_INLINE void ShadeInSteps(TileFragments& q, const Find& find, const Cut& cut,
     for (int i = 0; i < count; ++i)
     {
       cut(hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes)), work[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      place(work[i]);
     }
     for (int i = 0; i < count; ++i)
     {

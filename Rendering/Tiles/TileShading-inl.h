@@ -230,7 +230,7 @@ private:
         this->CutAtNode(used, p);
         this->LimitDepth(used, p);
       },
-      [&](const ShadePieces& p, ShadeVector (&color)[4]) { this->ColorPart(p, rest, color); });
+      [](ShadePieces&) {}, [&](const ShadePieces& p, ShadeVector (&color)[4]) { this->ColorPart(p, rest, color); });
   }
 
   void ShadeRemainders(TileFragments& q, const TileRemainders& now, TileRemainders& next) const
