@@ -18,6 +18,16 @@ int AttachmentParameter(GLenum parameter)
   return value;
 }
 
+// What has no depth, or is the window system's, has no such parameter.
+bool HoldsFloats()
+{
+  int framebuffer = 0;
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+  return framebuffer != 0 &&
+         AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+         AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+}
+
 // The sized format of the multisampled depth attachment: a blit resolves between equal formats
 // only.
 int DepthFormat()
@@ -96,7 +106,7 @@ bool OpaqueDepth::Read(vtkOpenGLRenderWindow* window, const int origin[2], const
     return true;
   }
   // As the framebuffer holds them: drivers convert slowly.
-  const bool areFloats = AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+  const bool areFloats = HoldsFloats();
   const int first[2] = { origin[0] + box[0], origin[1] + box[1] };
   void* values = this->Pixels.Allocate(box, areFloats);
   const bool isRead = Visit(window, first, &box[2],

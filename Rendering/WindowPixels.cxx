@@ -59,6 +59,16 @@ bool IsPlainTexture(GLenum attachment)
     { return AttachmentParameter(attachment, each.Name) == each.Value; });
 }
 
+// Whether the bound texture has all pixels of a box; of another kind of texture none is bound.
+bool HasPixels(const int corner[2], const WindowPixels::Box& box)
+{
+  int size[2] = { 0, 0 };
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &size[0]);
+  glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &size[1]);
+  return glGetError() == GL_NO_ERROR && corner[0] >= 0 && corner[1] >= 0 &&
+         corner[0] + box[2] <= size[0] && corner[1] + box[3] <= size[1];
+}
+
 // Whether every fragment is written as it is.
 bool IsUnmasked()
 {
@@ -89,15 +99,14 @@ bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], c
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
   const int corner[2] = { origin[0] + box[0], origin[1] + box[1] };
   const bool isDone = static_cast<GLenum>(Get(GL_READ_BUFFER)) == attachment &&
-                      this->Exchange(corner, box, image, width);
+                      HasPixels(corner, box) && this->Exchange(corner, box, image, width);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
   state->PopFramebufferBindings();
   return isDone;
 }
 
 //------------------------------------------------------------------------------
-bool WindowPixels::Exchange(
-  const int corner[2], const Box& box, const float* image, int width)
+bool WindowPixels::Exchange(const int corner[2], const Box& box, const float* image, int width)
 {
   this->Colors.resize(4 * static_cast<std::size_t>(box[2]) * box[3]);
   glReadPixels(corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE, this->Colors.data());
