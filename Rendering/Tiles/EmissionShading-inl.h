@@ -63,20 +63,16 @@ private:
     const EmissionPieces& p, ShadeMask used, TileRemainders& rest, ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
     const EmissionTable& t = this->Table;
-    const auto rise = hn::Sub(p.Last, p.First);
-    const auto one = Rises(p.First, p.Last);
-    const auto bound = this->Values(t.Bounds.data(), hn::Add(p.Piece, one));
-    const auto cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
+    const NodeCut node = FindNode(this->Values, t, p.Piece, p.First, p.Last, used);
     auto end = p.Last, part = p.Length;
-    if (!hn::AllFalse(d, cut))
+    if (node.IsAny)
     {
-      const auto share = hn::Div(hn::Sub(bound, p.First), rise);
-      end = hn::IfThenElse(cut, bound, end);
-      part = hn::IfThenElse(cut, hn::Min(hn::Mul(part, share), part), part);
-      const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(one, one)), hn::Set(di, 1));
-      this->Append(cut, { end, p.Last, hn::Sub(p.Length, part), beside, p.Fragment }, rest);
+      end = hn::IfThenElse(node.IsCut, node.Bound, end);
+      part = hn::Mul(part, node.Share);
+      const auto beyond = PieceBeyond(p.Piece, p.First, p.Last);
+      this->Append(
+        node.IsCut, { end, p.Last, hn::Sub(p.Length, part), beyond, p.Fragment }, rest);
     }
     const auto origin = this->Values(t.Origins.data(), p.Piece);
     const auto a = hn::Sub(p.First, origin), b = hn::Sub(end, origin);

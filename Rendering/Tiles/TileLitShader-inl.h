@@ -74,40 +74,35 @@ private:
     return hn::Max(value, hn::Zero(ShadeFloat()));
   }
 
-  /// Cuts at the transfer function's node and where light, opacity or colour bend.
-  HWY_INLINE void FindEnd(const LitPieces& p, const LitCourse& light,
-    const TileGradientOpacity::Course& opacity, bool bends, ShadeMask used, LitPart& part) const
+  /// Cuts at the transfer function's node.
+  HWY_INLINE void CutAtNode(const LitPieces& p, ShadeMask used, LitPart& part) const
   {
-    const ShadeFloat d;
-    const auto rise = hn::Sub(p.Last, p.First);
-    const auto bound =
-      this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p.First, p.Last)));
-    part.AtNode = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
-    const auto whole = hn::Set(d, 1.0f);
-    part.End = whole;
-    if (!hn::AllFalse(d, part.AtNode))
-    {
-      const auto share = hn::Div(hn::Sub(bound, p.First), rise);
-      part.End = hn::IfThenElse(part.AtNode, hn::Min(share, whole), whole);
-    }
-    const auto node = part.End;
-    part.LastScalar = hn::IfThenElse(part.AtNode, bound, p.Last);
+    const NodeCut node =
+      FindNode(this->Values, this->Transfer, p.Piece, p.First, p.Last, used);
+    part.AtNode = part.Open = node.IsCut;
+    part.End = node.Share;
+    part.LastScalar = hn::IfThenElse(node.IsCut, node.Bound, p.Last);
     part.Front = this->ExtinctionAt(p.Piece, p.First);
     part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
-    if (bends)
-    {
-      const auto length = hn::Mul(hn::Mul(p.Length, part.End), hn::Set(d, 0.5f));
-      const auto depth = hn::Mul(length, hn::Add(part.Front, part.Back));
-      part.End = this->Kind.IsLit() ? this->Light.FindBend(light, part.End, depth) : part.End;
-      part.End = this->Kind.HasOpacity() ? this->Opacity.FindBend(opacity, part.End) : part.End;
-      part.End = this->Kind.HasColors() ? this->Colors.FindBend(p, part.End) : part.End;
-    }
+  }
+
+  /// Cuts where light, opacity or colour bend.
+  HWY_INLINE void CutAtBend(const LitPieces& p, const LitCourse& light,
+    const TileGradientOpacity::Course& opacity, ShadeMask used, LitPart& part) const
+  {
+    const ShadeFloat d;
+    const auto node = part.End;
+    const auto length = hn::Mul(hn::Mul(p.Length, node), hn::Set(d, 0.5f));
+    const auto depth = hn::Mul(length, hn::Add(part.Front, part.Back));
+    part.End = this->Kind.IsLit() ? this->Light.FindBend(light, part.End, depth) : part.End;
+    part.End = this->Kind.HasOpacity() ? this->Opacity.FindBend(opacity, part.End) : part.End;
+    part.End = this->Kind.HasColors() ? this->Colors.FindBend(p, part.End) : part.End;
     const auto bent = hn::Lt(part.End, node);
-    part.AtNode = hn::AndNot(bent, part.AtNode);
-    part.Open = hn::Or(part.AtNode, hn::And(bent, used));
     if (!hn::AllFalse(d, bent))
     {
-      const auto last = hn::MulAdd(part.End, rise, p.First);
+      part.AtNode = hn::AndNot(bent, part.AtNode);
+      part.Open = hn::Or(part.AtNode, hn::And(bent, used));
+      const auto last = hn::MulAdd(part.End, hn::Sub(p.Last, p.First), p.First);
       part.LastScalar = hn::IfThenElse(bent, last, part.LastScalar);
       part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
     }
@@ -161,7 +156,11 @@ private:
     {
       this->Opacity.Begin(w.Piece, w.Opacity);
     }
-    this->FindEnd(w.Piece, w.Light, w.Opacity, pass < MostBends, used, w.Part);
+    this->CutAtNode(w.Piece, used, w.Part);
+    if (pass < MostBends)
+    {
+      this->CutAtBend(w.Piece, w.Light, w.Opacity, used, w.Part);
+    }
     this->LimitDepth(w.Piece, w.Opacity, used, w.Part);
   }
 

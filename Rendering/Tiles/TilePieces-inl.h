@@ -93,6 +93,41 @@ HWY_INLINE ShadeIndex Rises(ShadeVector first, ShadeVector last)
   return hn::IfThenElseZero(hn::RebindMask(di, hn::Lt(first, last)), hn::Set(di, 1));
 }
 
+/// The piece on the other side of the node that a scalar comes to.
+HWY_INLINE ShadeIndex PieceBeyond(ShadeIndex piece, ShadeVector first, ShadeVector last)
+{
+  const auto rises = Rises(first, last);
+  return hn::Sub(hn::Add(piece, hn::Add(rises, rises)), hn::Set(ShadeInt(), 1));
+}
+
+/// Where a piece of a ray passes the next node of a table.
+struct NodeCut
+{
+  ShadeMask IsCut;
+  bool IsAny;
+  /// Where any is cut: the node, and the share of the piece before it; 1 where none is.
+  ShadeVector Bound, Share;
+};
+
+template <class LookUp, class Table>
+HWY_INLINE NodeCut FindNode(const LookUp& values, const Table& table, ShadeIndex piece,
+  ShadeVector first, ShadeVector last, ShadeMask used)
+{
+  const ShadeFloat d;
+  NodeCut node;
+  const auto rise = hn::Sub(last, first);
+  node.Bound = values(table.Bounds.data(), hn::Add(piece, Rises(first, last)));
+  node.IsCut = hn::And(hn::Lt(hn::Mul(hn::Sub(node.Bound, last), rise), hn::Zero(d)), used);
+  node.IsAny = !hn::AllFalse(d, node.IsCut);
+  node.Share = hn::Set(d, 1.0f);
+  if (node.IsAny)
+  {
+    const auto share = hn::Div(hn::Sub(node.Bound, first), rise);
+    node.Share = hn::IfThenElse(node.IsCut, hn::Min(share, node.Share), node.Share);
+  }
+  return node;
+}
+
 /// A vector of fragments in depth and scalar, which are not linear on the screen.
 struct FragmentEnds
 {

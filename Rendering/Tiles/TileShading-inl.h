@@ -115,17 +115,15 @@ private:
   /// Cuts at the transfer function's node.
   HWY_INLINE void CutAtNode(ShadeMask used, ShadePieces& p) const
   {
-    const ShadeFloat d;
-    const auto rise = hn::Sub(p.Last, p.First);
-    const auto bound = this->Values(this->Transfer.Bounds.data(), hn::Add(p.Piece, Rises(p.First, p.Last)));
-    p.Cut = hn::And(hn::Lt(hn::Mul(hn::Sub(bound, p.Last), rise), hn::Zero(d)), used);
+    const NodeCut node =
+      FindNode(this->Values, this->Transfer, p.Piece, p.First, p.Last, used);
+    p.Cut = node.IsCut;
     p.End = p.Last;
     p.Part = p.Length;
-    if (!hn::AllFalse(d, p.Cut))
+    if (node.IsAny)
     {
-      const auto share = hn::Div(hn::Sub(bound, p.First), rise);
-      p.End = hn::IfThenElse(p.Cut, bound, p.End);
-      p.Part = hn::IfThenElse(p.Cut, hn::Min(hn::Mul(p.Part, share), p.Part), p.Part);
+      p.End = hn::IfThenElse(p.Cut, node.Bound, p.End);
+      p.Part = hn::Mul(p.Part, node.Share);
     }
   }
 
@@ -184,9 +182,8 @@ private:
     left.First = p.End;
     left.Length = hn::Sub(p.Length, p.Part);
     left.Through = hn::NegMulAdd(p.Through, alpha, p.Through);
-    const auto rises = Rises(p.First, p.Last);
-    const auto beside = hn::Sub(hn::Add(p.Piece, hn::Add(rises, rises)), hn::Set(di, 1));
-    left.Piece = hn::IfThenElse(hn::RebindMask(di, p.Thick), p.Piece, beside);
+    left.Piece = hn::IfThenElse(
+      hn::RebindMask(di, p.Thick), p.Piece, PieceBeyond(p.Piece, p.First, p.Last));
     // What is nearly opaque hides the rest.
     this->Append(hn::And(open, hn::Lt(hn::Set(d, 1e-7f), left.Through)), left, rest);
   }
