@@ -20,6 +20,8 @@ public:
     const TileClusters* clusters, int tilesX, int tilesY);
 
   int GetNumberOfTiles() const { return static_cast<int>(this->Begin.size()) - 1; }
+  /** A cell counts once in each of its tiles. */
+  long long GetNumberOfEntries() const { return static_cast<long long>(this->Begin.back()); }
   std::size_t GetMemorySize() const
   {
     return this->Cells.capacity() * sizeof(int) +

@@ -163,6 +163,10 @@ void TileCells::Project(const TileMesh& mesh, const TileView& view, const TileVe
         if (clusters.IsSeen(first))
         {
           this->ProjectRange(mesh, view, vertices, first, last);
+          for (int cell = first; mesh.IsSparse && cell < last; ++cell)
+          {
+            this->Boxes[cell] = mesh.Drawn[cell] ? this->Boxes[cell] : NoTile;
+          }
           continue;
         }
         std::fill(this->Boxes.begin() + first, this->Boxes.begin() + last, NoTile);

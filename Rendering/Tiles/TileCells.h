@@ -37,7 +37,8 @@ constexpr bool IsImage(int width, int height)
 class TileCells
 {
 public:
-  /** Cells of clusters that are not seen get no tile. */
+  /** Cells of clusters that are not seen get no tile, nor do those of a sparse mesh that are not
+   *  drawn. */
   void Project(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
     const TileClusters& clusters);
 

@@ -114,6 +114,7 @@ void TileClusters::ListPointBlocks(const TileMesh& mesh)
 void TileClusters::CountDrawn(const TileMesh& mesh)
 {
   this->NumbersDrawn.assign(this->Boxes.size(), 0);
+  this->SkipsEmpty = mesh.IsSparse;
   for (std::size_t cell = 0; cell < mesh.Drawn.size(); ++cell)
   {
     this->NumbersDrawn[cell >> Shift] =
@@ -132,7 +133,8 @@ bool TileClusters::FindSeen(
     [&](int cluster)
     {
       const Box& box = this->Boxes[cluster];
-      const bool isSeen = IsWithin(box, this->Planes) && (!limits || IsBefore(box, view, *limits));
+      const bool isEmpty = this->SkipsEmpty && this->NumbersDrawn[cluster] == 0;
+      const bool isSeen = !isEmpty && IsWithin(box, this->Planes) && (!limits || IsBefore(box, view, *limits));
       this->Seen[cluster] = isSeen ? 1 : 0;
     });
   const bool isNew = this->Seen != this->SeenBefore;
@@ -209,6 +211,19 @@ long long TileClusters::CountCellsOutside() const
   for (std::size_t cluster = 0; cluster < this->Seen.size(); ++cluster)
   {
     count += this->Seen[cluster] ? 0 : this->NumbersDrawn[cluster];
+  }
+  return count;
+}
+
+//------------------------------------------------------------------------------
+long long TileClusters::CountCellsSeen(const TileMesh& mesh) const
+{
+  const long long cells = mesh.GetNumberOfCells();
+  long long count = 0;
+  for (std::size_t cluster = 0; cluster < this->Seen.size(); ++cluster)
+  {
+    const auto first = static_cast<long long>(cluster) << Shift;
+    count += this->Seen[cluster] ? std::min<long long>(Size, cells - first) : 0;
   }
   return count;
 }

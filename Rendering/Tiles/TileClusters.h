@@ -4,7 +4,8 @@
  *
  * Not seen is what lies outside the viewport, the near or the far plane or a clipping plane, or behind
  * the opaque depth of every tile that its box touches. The tests err on the side of seen: no pixel
- * changes. Cells that the transfer function leaves empty are seen, since they order others.
+ * changes. Cells that the transfer function leaves empty are seen, since they order others, unless they
+ * are most (TileMesh::IsSparse): then clusters of them alone are not.
  */
 #ifndef TileClusters_h
 #define TileClusters_h
@@ -40,6 +41,8 @@ public:
 
   /** Of the cells worth drawing, those in clusters that are not seen. */
   long long CountCellsOutside() const;
+  /** All cells of clusters that are seen. */
+  long long CountCellsSeen(const TileMesh& mesh) const;
   std::size_t GetMemorySize() const;
 
 private:
@@ -59,6 +62,8 @@ private:
   std::vector<int> BlocksBegin, Blocks;
   std::vector<glm::dvec4> Planes;
   std::vector<unsigned char> NumbersDrawn;
+  /** Whether clusters with nothing to draw are not seen. */
+  bool SkipsEmpty = false;
   std::vector<unsigned char> Seen, SeenBefore, SeenPoints;
 };
 

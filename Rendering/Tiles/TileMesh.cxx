@@ -11,6 +11,12 @@
 
 #include <algorithm>
 
+namespace
+{
+// Share of the cells below which the drawn ones alone are put in order faster than all of them.
+constexpr double SparseShare = 0.5;
+}
+
 //------------------------------------------------------------------------------
 void TileMesh::Build(
   const std::vector<float>& points, const std::vector<int>& corners, const Progress& report)
@@ -125,13 +131,21 @@ void TileMesh::SetScalars(const std::vector<float>& values, bool onePerCell)
 }
 
 //------------------------------------------------------------------------------
-void TileMesh::SetDrawn(const std::vector<unsigned char>& drawn)
+bool TileMesh::SetDrawn(const std::vector<unsigned char>& drawn)
 {
+  bool isNew = this->Drawn.size() != this->Source.size();
   this->Drawn.resize(this->Source.size());
+  std::size_t count = 0;
   for (std::size_t cell = 0; cell < this->Source.size(); ++cell)
   {
-    this->Drawn[cell] = drawn[this->Source[cell]] != 0 && this->Orientations[cell] != 0 ? 1 : 0;
+    const unsigned char now =
+      drawn[this->Source[cell]] != 0 && this->Orientations[cell] != 0 ? 1 : 0;
+    isNew = isNew || this->Drawn[cell] != now;
+    this->Drawn[cell] = now;
+    count += now;
   }
+  this->IsSparse = static_cast<double>(count) < SparseShare * static_cast<double>(drawn.size());
+  return isNew;
 }
 
 //------------------------------------------------------------------------------

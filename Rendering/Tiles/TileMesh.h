@@ -25,8 +25,9 @@ public:
   /** One per point or per cell of what Build was given. */
   void SetScalars(const std::vector<float>& values, bool onePerCell);
 
-  /** One per cell of what Build was given: cells with 0 only take part in the order. */
-  void SetDrawn(const std::vector<unsigned char>& drawn);
+  /** One per cell of what Build was given: cells with 0 only take part in the order, and where they
+   *  are most they do not even that (IsSparse). False where nothing changes. */
+  bool SetDrawn(const std::vector<unsigned char>& drawn);
 
   int GetNumberOfCells() const { return static_cast<int>(this->Source.size()); }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 4); }
@@ -41,6 +42,8 @@ public:
    *  it, 0 for a flat cell. */
   std::vector<signed char> Orientations;
   std::vector<unsigned char> Drawn;
+  /** Whether so few are drawn that the others are not worth a look. */
+  bool IsSparse = false;
   /** Bit f: on the other side of face f the scalar may be another one, or there is no cell. */
   std::vector<unsigned char> Steps;
   /** The cell's id in what Build was given. */

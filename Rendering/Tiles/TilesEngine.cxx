@@ -32,8 +32,13 @@ void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<in
 //------------------------------------------------------------------------------
 void TilesEngine::SetDrawn(const std::vector<unsigned char>& drawn)
 {
-  this->Mesh.SetDrawn(drawn);
-  this->Clusters.CountDrawn(this->Mesh);
+  const bool wasSparse = this->Mesh.IsSparse;
+  if (this->Mesh.SetDrawn(drawn))
+  {
+    this->Clusters.CountDrawn(this->Mesh);
+    // All cells have places and an order, but where only those drawn have.
+    this->IsTransformed = this->IsTransformed && !wasSparse && !this->Mesh.IsSparse;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -216,7 +221,7 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
   if (!this->IsSorted)
   {
-    scratch.Order.Sort(this->Mesh, this->Cells, cells, count, scratch.Drawn);
+    scratch.Order.Sort(this->Task, cells, count, scratch.Drawn);
   }
   scratch.Drawn.clear();
   std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);

@@ -138,6 +138,43 @@ Grid SortMeshes::Torus()
 }
 
 //------------------------------------------------------------------------------
+Grid SortMeshes::FineRing()
+{
+  MeshLattice ring(6, 60, 6);
+  ring.SetWrap(1);
+  ring.SetMap(
+    [](const double u[3], double p[3])
+    {
+      p[0] = (0.6 + 0.06 * u[0]) * std::cos(2.0 * Pi * u[1] / 60.0);
+      p[1] = (0.6 + 0.06 * u[0]) * std::sin(2.0 * Pi * u[1] / 60.0);
+      p[2] = 0.06 * u[2];
+    });
+  return Kuhn(ring.Make());
+}
+
+//------------------------------------------------------------------------------
+Grid SortMeshes::FineBars()
+{
+  Grid all;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double cosine = std::cos(2.0 * Pi * i / 3.0), sine = std::sin(2.0 * Pi * i / 3.0);
+    MeshLattice bar(40, 5, 5);
+    bar.SetMap(
+      [=](const double u[3], double p[3])
+      {
+        const double x = 0.055 * (u[0] - 20.0), y = 0.25 + 0.04 * u[1];
+        p[0] = cosine * x - sine * y;
+        p[1] = sine * x + cosine * y;
+        p[2] = 0.3 * x + 0.04 * (u[2] - 2.5);
+      });
+    const Grid next = Kuhn(bar.Make());
+    all = all ? Join(all, next) : next;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 Grid SortMeshes::HollowSphere()
 {
   MeshLattice ball(6, 6, 6);

@@ -45,6 +45,9 @@ Grid Bars(int count, double halfLength);
 /// Two slabs, one behind the other with a gap.
 Grid Slabs();
 Grid Torus();
+/// A ring, and three bars that each cover the next, of tetrahedra so small that many lie on every ray.
+Grid FineRing();
+Grid FineBars();
 /// A ball with a hole inside: a cube's shell of cells, blown up.
 Grid HollowSphere();
 Grid Spring();

@@ -63,16 +63,20 @@ void CheckTetrahedra(TestChecks& checks)
   arrays.SetMesh();
   std::vector<vtkIdType> order(static_cast<std::size_t>(arrays.GetNumberOfCells()));
   std::iota(order.begin(), order.end(), 0);
+  const std::vector<unsigned char> every(order.size(), 1);
+  std::vector<unsigned char> few(order.size(), 0);
+  std::generate(few.begin(), few.end(), [cell = 0]() mutable { return ++cell % 5 < 2 ? 1 : 0; });
   std::vector<float> depth;
   CheckThreads(checks,
     [&](int view)
     {
       LookAt(arrays, view);
       Image all;
-      for (int part = 0; part < 5; ++part)
+      for (int part = 0; part < 6; ++part)
       {
-        // The last is opaque.
+        // The last are opaque, and next to empty.
         arrays.SetFunction(part == 1, part == 4 ? 0.004 : 0.2);
+        arrays.Engine.SetDrawn(part == 5 ? few : every);
         arrays.Scene.BackToFront = part == 2 ? &order : nullptr;
         arrays.Scene.ClippingPlanes.clear();
         if (part == 3)

@@ -3,7 +3,6 @@
 // wrong, with clipping planes, cells of one scalar each and light, and the same bytes for any number of
 // threads.
 
-#include "MeshLattice.h"
 #include "SortMeshes.h"
 #include "TileArrays.h"
 #include "TilesScene.h"
@@ -113,50 +112,12 @@ void LookAt(TilesScene& scene, vtkUnstructuredGrid* grid)
   scene.Renderer->ResetCameraClippingRange(bounds);
 }
 
-constexpr double Turn = 6.283185307179586;
-
-// A ring, concave, of cells so small that some lie behind others.
-SortMeshes::Grid Ring()
-{
-  MeshLattice ring(6, 60, 6);
-  ring.SetWrap(1);
-  ring.SetMap(
-    [](const double u[3], double p[3])
-    {
-      p[0] = (0.6 + 0.06 * u[0]) * std::cos(Turn * u[1] / 60.0);
-      p[1] = (0.6 + 0.06 * u[0]) * std::sin(Turn * u[1] / 60.0);
-      p[2] = 0.06 * u[2];
-    });
-  return SortMeshes::Kuhn(ring.Make());
-}
-
-// Three slanted bars that each cover the next: a circle.
-SortMeshes::Grid Bars()
-{
-  SortMeshes::Grid all;
-  for (int i = 0; i < 3; ++i)
-  {
-    MeshLattice bar(40, 5, 5);
-    bar.SetMap(
-      [i](const double u[3], double p[3])
-      {
-        const double x = 0.055 * (u[0] - 20.0), y = 0.25 + 0.04 * u[1];
-        p[0] = std::cos(Turn * i / 3.0) * x - std::sin(Turn * i / 3.0) * y;
-        p[1] = std::sin(Turn * i / 3.0) * x + std::cos(Turn * i / 3.0) * y;
-        p[2] = 0.3 * x + 0.04 * (u[2] - 2.5);
-      });
-    const auto next = SortMeshes::Kuhn(bar.Make());
-    all = all ? SortMeshes::Join(all, next) : next;
-  }
-  return all;
-}
-
 void CheckMeshes(TestChecks& checks)
 {
   TilesScene scene(190, 180);
   for (const bool isRing : { true, false })
   {
-    const auto grid = isRing ? Ring() : Bars();
+    const auto grid = isRing ? SortMeshes::FineRing() : SortMeshes::FineBars();
     SortMeshes::AddScalar(grid);
     scene.SetTetrahedra(grid);
     LookAt(scene, grid);
