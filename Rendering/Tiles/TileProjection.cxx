@@ -27,16 +27,24 @@ namespace CellProjectionTiles
 {
 namespace HWY_NAMESPACE
 {
-/// Fetches the corners of a cell in a group's time and those of one in two groups' time from the mesh.
-inline void PrefetchCells(const TileTask& task, const std::vector<int>& ids, std::size_t at)
+/// Fetches the corners of the cells from `begin` to `end`, and the cells of a group after that.
+inline void PrefetchCells(
+  const TileTask& task, const std::vector<int>& ids, std::size_t begin, std::size_t end)
 {
-  const std::size_t soon = std::min(at + TileGroup::Size, ids.size() - 1);
-  const std::size_t later = std::min(soon + TileGroup::Size, ids.size() - 1);
-  hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(ids[later])]);
-  const int* corners = &task.Mesh->Corners[4 * static_cast<std::size_t>(ids[soon])];
-  for (int i = 0; i < 4; ++i)
+  const std::size_t soon = std::min(begin, ids.size());
+  const std::size_t later = std::min(end, ids.size());
+  const std::size_t last = std::min(end + end - begin, ids.size());
+  for (std::size_t k = later; k < last; ++k)
   {
-    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
+    hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])]);
+  }
+  for (std::size_t k = soon; k < later; ++k)
+  {
+    const int* corners = &task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])];
+    for (int i = 0; i < 4; ++i)
+    {
+      hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
+    }
   }
 }
 
@@ -61,16 +69,17 @@ inline int TakeGroup(const TileTask& task, const TileRectangle& tile, std::size_
   if (!scratch.Occlusion.HidesAny())
   {
     const auto count = std::min<std::size_t>(TileGroup::Size, ids.size() - next);
-    for (const std::size_t last = next + count; next < last; ++next)
-    {
-      PrefetchCells(task, ids, next);
-    }
+    next += count;
+    PrefetchCells(task, ids, next, next + TileGroup::Size);
     return static_cast<int>(count);
   }
   std::size_t end = at;
   for (; next < ids.size() && end < at + TileGroup::Size; ++next)
   {
-    PrefetchCells(task, ids, next);
+    if (next % TileGroup::Size == 0)
+    {
+      PrefetchCells(task, ids, next + TileGroup::Size, next + 2 * TileGroup::Size);
+    }
     std::uint32_t box = 0;
     if (scratch.Occlusion.HidesCell(task, tile, ids[next], box))
     {
