@@ -1,7 +1,6 @@
 // Cells behind pixels that are nearly opaque are left out: most of a dense lattice; the image is the
 // oracle's, and but for a millionth that of all cells, on concave meshes and circles, in orders that are
-// wrong, with clipping planes, cells of one scalar each and light, and the same bytes for any number of
-// threads.
+// wrong, with clipping planes and light, and the same bytes for any number of threads.
 
 #include "SortMeshes.h"
 #include "TileArrays.h"
@@ -149,6 +148,23 @@ void CheckAnyOrder(TestChecks& checks)
   CHECK(CheckScene(checks, scene, "in the order of ids") > 0.0);
   CHECK(scene.Engine.GetCounts().RepairedPixels > 1000);
 }
+
+// By the mapper, lit.
+void CheckLight(TestChecks& checks)
+{
+  TestScene scene(110, 100);
+  auto grid = SortMeshes::Kuhn(SortMeshes::JitteredLattice(8, 0.2));
+  SortMeshes::AddScalar(grid);
+  scene.SetGrid(grid);
+  scene.Mapper->SetEngineToTiles();
+  scene.SetSmooth();
+  scene.Property->ShadeOn();
+  scene.Property->SetSpecular(0.3);
+  scene.Property->SetScalarOpacityUnitDistance(0.01 * grid->GetLength());
+  const double error = scene.MaximumError("lit");
+  CHECK(error >= 0.0);
+  CHECK_AT_MOST(error, 1e-4);
+}
 }
 
 int TestTilesOcclusion(int, char*[])
@@ -158,5 +174,6 @@ int TestTilesOcclusion(int, char*[])
   CheckThreads(checks);
   CheckMeshes(checks);
   CheckAnyOrder(checks);
+  CheckLight(checks);
   return checks.Result();
 }
