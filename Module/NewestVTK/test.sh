@@ -6,8 +6,9 @@ cd "$(dirname "$0")/../.."
 label=${1:-}
 Module/setup.sh Module/NewestVTK/host-packages.txt
 inside=Module/NewestVTK/enter.sh
-# What is deprecated in the newest VTK will be gone in the next: it fails the build here.
-options="-Wno-dev -DCELLPROJECTION_DEPRECATED_IS_ERROR=ON"
+# What is deprecated in the newest VTK will be gone in the next: it fails the build here. And so does a file of the
+# libraries that leaves an include to the precompiled headers.
+options="-Wno-dev -DCELLPROJECTION_DEPRECATED_IS_ERROR=ON -DCELLPROJECTION_PRECOMPILE_MODULES=OFF"
 $inside make build BUILD=build-newest "CMAKE_OPTIONS=$options"
 for window in vtkEGLRenderWindow vtkOSOpenGLRenderWindow; do
   export VTK_DEFAULT_OPENGL_WINDOW=$window
