@@ -4,8 +4,9 @@
 
 # Two stacks may build one tree: make test-newest has a folder of its own.
 BUILD := build
-# Which tests: LABEL=core takes those that a change must pass in minutes.
+# Which tests: LABEL=core takes those that a change must pass in minutes, WITHOUT=windowless those that open windows.
 LABEL :=
+WITHOUT :=
 CMAKE_OPTIONS :=
 
 # The Python that Debian's VTK is wrapped for, whatever python3 comes first on PATH.
@@ -29,7 +30,8 @@ demo: build
 	@PYTHONPATH="$(pythonpath)" $(offscreen) $(python) Examples/01_render_a_file.py
 
 test: build
-	cd $(BUILD) && ./offscreen.sh ctest --output-on-failure --no-tests=error -j 2 $(if $(LABEL),-L '^$(LABEL)$$')
+	cd $(BUILD) && ./offscreen.sh ctest --output-on-failure --no-tests=error -j 2 \
+	  $(if $(LABEL),-L '^$(LABEL)$$') $(if $(WITHOUT),-LE '^$(WITHOUT)$$')
 
 bench: build
 	@$(offscreen) $(benchmark)
