@@ -99,9 +99,13 @@ double OraclePolyhedron::Interpolate(const OracleVector& position) const
   double scalar = 0.0;
   for (const OracleFace& face : this->Faces)
   {
+    if (std::abs(face.GetDistance(position)) > bound)
+    {
+      continue;
+    }
     double inside;
     const double candidate = face.Interpolate(position, inside);
-    if (std::abs(face.GetDistance(position)) <= bound && inside > best)
+    if (inside > best)
     {
       best = inside;
       scalar = candidate;
