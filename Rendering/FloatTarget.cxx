@@ -1,5 +1,6 @@
 #include "FloatTarget.h"
 
+#include "PlainPixelStore.h"
 #include "VTKVersions.h"
 #include "cpBlendFragment.h"
 #include "vtkFloatArray.h"
@@ -38,10 +39,10 @@ void FloatTarget::Upload(
 {
   this->Allocate(window, size[0], size[1]);
   this->Color->Activate();
+  const PlainPixelStore plain;
   glPixelStorei(GL_UNPACK_ROW_LENGTH, size[0]);
   glTexSubImage2D(GL_TEXTURE_2D, 0, box[0], box[1], box[2], box[3], GL_RGBA, GL_FLOAT,
     image + 4 * (static_cast<std::ptrdiff_t>(box[1]) * size[0] + box[0]));
-  glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   this->Color->Deactivate();
 }
 

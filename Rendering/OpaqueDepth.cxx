@@ -1,5 +1,6 @@
 #include "OpaqueDepth.h"
 
+#include "PlainPixelStore.h"
 #include "VTKVersions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -109,6 +110,7 @@ bool OpaqueDepth::Read(vtkOpenGLRenderWindow* window, const int origin[2], const
   const bool areFloats = HoldsFloats();
   const int first[2] = { origin[0] + box[0], origin[1] + box[1] };
   void* values = this->Pixels.Allocate(box, areFloats);
+  const PlainPixelStore plain;
   const bool isRead = Visit(window, first, &box[2],
     [&](const int corner[2])
     {

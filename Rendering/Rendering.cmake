@@ -64,6 +64,7 @@ list(APPEND sources
   Rendering/OpaqueDepth.cxx
   Rendering/PassTriangles.cxx
   Rendering/PixelBlending.cxx
+  Rendering/PlainPixelStore.cxx
   Rendering/PolyhedraRaster.cxx
   Rendering/PreIntegrationTable.cxx
   Rendering/PreIntegrationTexture.cxx
@@ -162,6 +163,7 @@ list(APPEND private_headers
   Rendering/OpaqueDepth.h
   Rendering/PassTriangles.h
   Rendering/PixelBlending.h
+  Rendering/PlainPixelStore.h
   Rendering/PolyhedraRaster.h
   Rendering/PreIntegrationTable.h
   Rendering/PreIntegrationTexture.h

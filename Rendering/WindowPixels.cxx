@@ -1,6 +1,7 @@
 #include "WindowPixels.h"
 
 #include "PixelBlending.h"
+#include "PlainPixelStore.h"
 #include "VTKVersions.h"
 #include "vtkOpenGLRenderWindow.h"
 #include "vtkOpenGLState.h"
@@ -109,6 +110,7 @@ bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], c
 bool WindowPixels::Exchange(const int corner[2], const Box& box, const float* image, int width)
 {
   this->Colors.resize(4 * static_cast<std::size_t>(box[2]) * box[3]);
+  const PlainPixelStore plain;
   glReadPixels(corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE, this->Colors.data());
   if (glGetError() != GL_NO_ERROR)
   {

@@ -10,16 +10,20 @@
 #include "PremultipliedBlending.h"
 #include "TestMeshes.h"
 #include "TestScene.h"
+#include "VTKVersions.h"
 #include "WindowPixels.h"
 
 #include "vtkOpenGLState.h"
 #include "vtkUnsignedCharArray.h"
+
+#include CELLPROJECTION_OPENGL_HEADER
 
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 namespace
@@ -85,14 +89,19 @@ void CheckTargets(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-std::vector<unsigned char> DrawByGL(Framebuffer& framebuffer, const std::vector<float>& image)
+void LayByGL(Framebuffer& framebuffer, const std::vector<float>& image)
 {
-  framebuffer.Clear(Under, 1.0);
   FloatTarget target;
   const PremultipliedBlending blending(framebuffer.State);
   target.Upload(framebuffer.Window, ViewportSize, Part, image.data());
   target.Blend(framebuffer.Window, Origin, ViewportSize, Part);
   target.ReleaseGraphicsResources(framebuffer.Window);
+}
+
+std::vector<unsigned char> DrawByGL(Framebuffer& framebuffer, const std::vector<float>& image)
+{
+  framebuffer.Clear(Under, 1.0);
+  LayByGL(framebuffer, image);
   return framebuffer.ReadColors();
 }
 
@@ -127,6 +136,45 @@ void CheckSameAsGL(TestChecks& checks, vtkRenderWindow* window)
   const std::vector<unsigned char> after = framebuffer.ReadColors();
   CHECK(!WindowPixels().LayOver(framebuffer.Window, beside, Part, image.data(), ViewportSize[0]));
   CHECK(framebuffer.ReadColors() == after);
+}
+
+// Strides and a buffer that others left set; they are still set at the end.
+void SpoilPixelStore(TestChecks& checks, const std::function<void()>& work)
+{
+  const GLenum names[] = { GL_PACK_ROW_LENGTH, GL_PACK_SKIP_PIXELS, GL_UNPACK_ROW_LENGTH,
+    GL_UNPACK_SKIP_ROWS };
+  const int strange[] = { 77, 3, 99, 2 };
+  GLuint buffer = 0;
+  glGenBuffers(1, &buffer);
+  glBindBuffer(GL_PIXEL_PACK_BUFFER, buffer);
+  for (int i = 0; i < 4; ++i)
+  {
+    glPixelStorei(names[i], strange[i]);
+  }
+  work();
+  int found = 0;
+  for (int i = 0; i < 4; ++i)
+  {
+    glGetIntegerv(names[i], &found);
+    CHECK(found == strange[i]);
+    glPixelStorei(names[i], 0);
+  }
+  glGetIntegerv(GL_PIXEL_PACK_BUFFER_BINDING, &found);
+  CHECK(found == static_cast<int>(buffer));
+  glDeleteBuffers(1, &buffer);
+}
+
+void CheckPixelStore(TestChecks& checks, vtkRenderWindow* window)
+{
+  const std::vector<float> image = MakeImage(ViewportSize[0] * ViewportSize[1]);
+  Framebuffer framebuffer(window, { "textures" });
+  const std::vector<unsigned char> expected = DrawByGL(framebuffer, image);
+  framebuffer.Clear(Under, 1.0);
+  SpoilPixelStore(checks, [&] { LayByGL(framebuffer, image); });
+  CHECK(framebuffer.ReadColors() == expected);
+  framebuffer.Clear(Under, 1.0);
+  SpoilPixelStore(checks, [&] { CHECK(Lays(framebuffer, image)); });
+  CHECK_AT_MOST(DifferenceOf(expected, framebuffer.ReadColors()), 1);
 }
 
 void CheckLeftToGL(TestChecks& checks, vtkRenderWindow* window)
@@ -228,6 +276,7 @@ int TestWindowPixels(int, char*[])
   window->AddRenderer(renderer);
   window->Render();
   CheckSameAsGL(checks, window);
+  CheckPixelStore(checks, window);
   CheckLeftToGL(checks, window);
   CheckMasks(checks, window);
   CheckOwnWindow(checks, window);
