@@ -11,6 +11,7 @@
 #define TileCoverage_inl_h
 #endif
 
+#include "TileBox.h"
 #include "TileCells.h"
 #include "TileExactCell.h"
 #include "TileFragments.h"
@@ -316,14 +317,13 @@ inline void CoverExactCell(
   }
 }
 
-/// Where in the tile a cell of a group lies: see TileRepair::KeepCells.
+/// Where in the tile a cell of a group lies.
 inline std::uint32_t PackBox(const TileGroup& group, int k)
 {
   const bool isEmpty = group.Width[k] <= 0 || group.Height[k] <= 0;
-  return isEmpty ? 0
-                 : static_cast<std::uint32_t>(group.Left[k] | group.Bottom[k] << 8 |
-                     group.Width[k] << 16) |
-      static_cast<std::uint32_t>(group.Height[k]) << 24;
+  return isEmpty
+    ? 0
+    : TileBox::Pack(group.Left[k], group.Bottom[k], group.Width[k], group.Height[k]);
 }
 
 /// The same, with or without the cuts.
@@ -347,14 +347,13 @@ inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const Til
   TileFragments& out)
 {
   static const FaceLists lists;
-  // Of a cell in double, which finds its box itself.
-  constexpr std::uint32_t wholeTile = TileSize::Pixels << 16 | std::uint32_t(TileSize::Pixels) << 24;
   for (; k < count && out.Count < TileFragments::Full; ++k)
   {
     out.BeginCell(ids[k]);
     if (group.Exact[k] != 0 || task.AllExact || (task.Cells->Faces[ids[k]] & TileCells::Exact))
     {
-      boxes[k] = wholeTile;
+      // It finds its box itself.
+      boxes[k] = TileBox::WholeTile();
       CoverExactCell(task, tile, ids[k], out);
       continue;
     }

@@ -1,5 +1,6 @@
 #include "TileOcclusion.h"
 
+#include "TileBox.h"
 #include "TileBuffer.h"
 #include "TileCells.h"
 #include "TileFragments.h"
@@ -142,7 +143,7 @@ bool TileOcclusion::HidesBox(
       }
     }
   }
-  box = static_cast<std::uint32_t>(first[0] | first[1] << 8 | (last[0] - first[0] + 1) << 16) |
-    static_cast<std::uint32_t>(last[1] - first[1] + 1) << 24;
+  box = TileBox::Pack(
+    first[0], first[1], last[0] - first[0] + 1, last[1] - first[1] + 1);
   return true;
 }

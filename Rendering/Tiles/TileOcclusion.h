@@ -33,7 +33,7 @@ public:
   void Watch(const TileFragments& fragments, const TileBuffer& buffer);
 
   bool HidesAny() const { return this->Hides; }
-  /** Whether blocks hide all of a cell; `box`: its pixels in the tile, see TileRepair::KeepCells. */
+  /** Whether blocks hide all of a cell; `box`: its pixels in the tile, a TileBox. */
   bool HidesCell(
     const TileTask& task, const TileRectangle& tile, int cell, std::uint32_t& box) const;
 

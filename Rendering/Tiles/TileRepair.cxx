@@ -1,5 +1,6 @@
 #include "TileRepair.h"
 
+#include "TileBox.h"
 #include "TileBuffer.h"
 #include "TileFragments.h"
 #include "TileTask.h"
@@ -56,12 +57,13 @@ void TileRepair::KeepCells(std::vector<int>& cells, const std::vector<std::uint3
   std::size_t kept = 0;
   for (std::size_t i = 0; i < cells.size(); ++i)
   {
-    const std::uint32_t box = boxes[i], width = box >> 16 & 255, height = box >> 24;
-    const std::uint64_t span = width == 0 ? 0 : ~std::uint64_t(0) >> (64 - width) << (box & 255);
-    const std::uint64_t* row = rows + (box >> 8 & 255);
+    const TileBox box(boxes[i]);
+    const std::uint64_t span =
+      box.Width == 0 ? 0 : ~std::uint64_t(0) >> (64 - box.Width) << box.X;
+    const std::uint64_t* row = rows + box.Y;
     cells[kept] = cells[i];
     kept += (span & columns) != 0 &&
-      std::any_of(row, row + height, [span](std::uint64_t marks) { return (marks & span) != 0; });
+      std::any_of(row, row + box.Height, [span](std::uint64_t marks) { return (marks & span) != 0; });
   }
   cells.resize(kept);
 }

@@ -22,8 +22,7 @@ public:
   int Find(const TileBuffer& tile);
   /** The part of a tile that holds them. */
   TileRectangle Box(const TileRectangle& tile) const;
-  /** Keeps the cells that may cover marked pixels: their boxes, a byte each from the lowest, are
-   *  first x and y in the tile, width and height. */
+  /** Keeps the cells that may cover marked pixels; `boxes`: see TileBox. */
   void KeepCells(std::vector<int>& cells, const std::vector<std::uint32_t>& boxes) const;
   /** Keeps what belongs to marked pixels. */
   void Collect(const TileFragments& fragments);

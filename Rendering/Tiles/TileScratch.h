@@ -30,7 +30,7 @@ struct TileScratch
   TileOcclusion Occlusion;
   TileRepair Repair;
   std::vector<int> Drawn;
-  /** Where in the tile the drawn cells lie, see TileRepair::KeepCells. */
+  /** Where in the tile the drawn cells lie, see TileBox. */
   std::vector<std::uint32_t> Boxes;
   ConvexTileExactCell ExactCell;
   TileCounts Counts;

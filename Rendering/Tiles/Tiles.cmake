@@ -51,6 +51,7 @@ list(APPEND private_headers
   Rendering/Tiles/ExtremumProjection.h
   Rendering/Tiles/ExtremumTilesEngine.h
   Rendering/Tiles/TileBins.h
+  Rendering/Tiles/TileBox.h
   Rendering/Tiles/TileBuffer.h
   Rendering/Tiles/TileCellFields.h
   Rendering/Tiles/TileCells.h
