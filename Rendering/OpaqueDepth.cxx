@@ -1,5 +1,6 @@
 #include "OpaqueDepth.h"
 
+#include "FramebufferAttachment.h"
 #include "PlainPixelStore.h"
 #include "VTKVersions.h"
 #include "vtkOpenGLRenderWindow.h"
@@ -11,12 +12,9 @@
 
 namespace
 {
-int AttachmentParameter(GLenum parameter)
+int DepthParameter(GLenum parameter)
 {
-  int value = 0;
-  glGetFramebufferAttachmentParameteriv(
-    GL_DRAW_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, parameter, &value);
-  return value;
+  return FramebufferAttachment::Get(GL_DEPTH_ATTACHMENT, parameter);
 }
 
 // What has no depth, or is the window system's, has no such parameter.
@@ -25,8 +23,8 @@ bool HoldsFloats()
   int framebuffer = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   return framebuffer != 0 &&
-         AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
-         AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
+         DepthParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) != GL_NONE &&
+         DepthParameter(GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE) == GL_FLOAT;
 }
 
 // The sized format of the multisampled depth attachment: a blit resolves between equal formats
@@ -34,8 +32,8 @@ bool HoldsFloats()
 int DepthFormat()
 {
   int format = 0;
-  const int name = AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
-  switch (AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE))
+  const int name = DepthParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+  switch (DepthParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE))
   {
     case GL_TEXTURE:
       glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, static_cast<GLuint>(name));
@@ -134,7 +132,7 @@ bool OpaqueDepth::Visit(vtkOpenGLRenderWindow* window, const int origin[2], cons
   int framebuffer = 0, samples = 0;
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
   glGetIntegerv(GL_SAMPLES, &samples);
-  if (framebuffer != 0 && AttachmentParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
+  if (framebuffer != 0 && DepthParameter(GL_FRAMEBUFFER_ATTACHMENT_OBJECT_TYPE) == GL_NONE)
   {
     return false;
   }

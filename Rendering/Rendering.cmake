@@ -44,6 +44,7 @@ list(APPEND sources
   Rendering/FacePieces.cxx
   Rendering/FiniteNodes.cxx
   Rendering/FloatTarget.cxx
+  Rendering/FramebufferAttachment.cxx
   Rendering/FrameStatistics.cxx
   Rendering/ImageSampling.cxx
   Rendering/IsoLayers.cxx
@@ -146,6 +147,7 @@ list(APPEND private_headers
   Rendering/FacePieces.h
   Rendering/FiniteNodes.h
   Rendering/FloatTarget.h
+  Rendering/FramebufferAttachment.h
   Rendering/FrameStatistics.h
   Rendering/ImageSampling.h
   Rendering/IsoLayers.h

@@ -1,5 +1,6 @@
 #include "WindowPixels.h"
 
+#include "FramebufferAttachment.h"
 #include "PixelBlending.h"
 #include "PlainPixelStore.h"
 #include "VTKVersions.h"
@@ -19,14 +20,6 @@ int Get(GLenum name)
 {
   int value = 0;
   glGetIntegerv(name, &value);
-  return value;
-}
-
-// Of what is bound for drawing.
-int AttachmentParameter(GLenum attachment, GLenum parameter)
-{
-  int value = 0;
-  glGetFramebufferAttachmentParameteriv(GL_DRAW_FRAMEBUFFER, attachment, parameter, &value);
   return value;
 }
 
@@ -57,7 +50,7 @@ bool IsPlainTexture(GLenum attachment)
     { GL_FRAMEBUFFER_ATTACHMENT_COMPONENT_TYPE, GL_UNSIGNED_NORMALIZED },
     { GL_FRAMEBUFFER_ATTACHMENT_COLOR_ENCODING, GL_LINEAR } };
   return std::all_of(std::begin(expected), std::end(expected), [attachment](const auto& each)
-    { return AttachmentParameter(attachment, each.Name) == each.Value; });
+    { return FramebufferAttachment::Get(attachment, each.Name) == each.Value; });
 }
 
 // Whether the bound texture has all pixels of a box; of another kind of texture none is bound.
@@ -95,7 +88,8 @@ bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], c
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
-  const int texture = AttachmentParameter(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
+  const int texture =
+    FramebufferAttachment::Get(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
   const int bound = Get(GL_TEXTURE_BINDING_2D);
   glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
   const int corner[2] = { origin[0] + box[0], origin[1] + box[1] };
