@@ -66,16 +66,6 @@ std::vector<float> Draw(TileArrays& arrays, const Peaks& peaks, double floor, lo
   return arrays.Engine.GetImage();
 }
 
-double LargestDifference(const std::vector<float>& a, const std::vector<float>& b)
-{
-  double largest = a.size() == b.size() ? 0.0 : 1e30;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-  {
-    largest = std::max(largest, std::abs(double(a[i]) - b[i]));
-  }
-  return largest;
-}
-
 void Compare(TestChecks& checks, TileArrays& arrays, const char* view)
 {
   for (const Peaks& peaks : Functions())
@@ -84,7 +74,7 @@ void Compare(TestChecks& checks, TileArrays& arrays, const char* view)
     const std::vector<float> whole = Draw(arrays, peaks, Little, all);
     const std::vector<float> cut = Draw(arrays, peaks, 0.0, left);
     const double share = static_cast<double>(left) / static_cast<double>(all);
-    const double difference = LargestDifference(whole, cut);
+    const double difference = TileArrays::LargestDifference(whole, cut);
     std::cout << view << ", " << peaks.Name << ": " << 100.0 * share << " % of " << all
               << " fragments, largest difference " << difference << "\n";
     CHECK(*std::max_element(cut.begin(), cut.end()) > 0.05f);

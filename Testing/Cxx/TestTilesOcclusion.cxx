@@ -6,28 +6,16 @@
 #include "TileArrays.h"
 #include "TilesScene.h"
 
-#include "vtkCamera.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 namespace
 {
 using Image = std::vector<float>;
-
-double Difference(const Image& a, const Image& b)
-{
-  double greatest = a.size() == b.size() ? 0.0 : 1e30;
-  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
-  {
-    greatest = std::max<double>(greatest, std::abs(a[i] - b[i]));
-  }
-  return greatest;
-}
 
 double ShareHidden(const TilesEngine& engine)
 {
@@ -56,7 +44,7 @@ void CheckLattice(TestChecks& checks)
     const double hidden = ShareHidden(arrays.Engine);
     std::cout << "unit distance " << units[i] << ": hidden " << hidden << ", fragments "
               << arrays.Engine.GetCounts().Fragments << " of " << counts.Fragments << "\n";
-    CHECK_AT_MOST(Difference(arrays.Engine.GetImage(), all), 1e-6);
+    CHECK_AT_MOST(TileArrays::LargestDifference(arrays.Engine.GetImage(), all), 1e-6);
     CHECK(hidden >= least[i]);
     CHECK(hidden <= most[i]);
     CHECK(arrays.Engine.GetCounts().Cells == counts.Cells);
@@ -93,22 +81,9 @@ double CheckScene(TestChecks& checks, TilesScene& scene, const std::string& name
   std::cout << name << ": hidden " << hidden << "\n";
   scene.EndsEarly = false;
   CHECK(scene.DrawTiles());
-  CHECK_AT_MOST(Difference(early, scene.Engine.GetImage()), 1e-6);
+  CHECK_AT_MOST(TileArrays::LargestDifference(early, scene.Engine.GetImage()), 1e-6);
   scene.EndsEarly = true;
   return hidden;
-}
-
-void LookAt(TilesScene& scene, vtkUnstructuredGrid* grid)
-{
-  double bounds[6], center[3];
-  grid->GetBounds(bounds);
-  grid->GetCenter(center);
-  const double distance = 1.3 * grid->GetLength();
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetFocalPoint(center);
-  camera->SetPosition(
-    center[0] + 0.1 * distance, center[1] + 0.2 * distance, center[2] + 0.97 * distance);
-  scene.Renderer->ResetCameraClippingRange(bounds);
 }
 
 void CheckMeshes(TestChecks& checks)
@@ -119,7 +94,7 @@ void CheckMeshes(TestChecks& checks)
     const auto grid = isRing ? SortMeshes::FineRing() : SortMeshes::FineBars();
     SortMeshes::AddScalar(grid);
     scene.SetTetrahedra(grid);
-    LookAt(scene, grid);
+    scene.LookAt(grid, { 0.1, 0.2, 0.97 }, 1.3);
     scene.SetSmooth();
     scene.Property->SetScalarOpacityUnitDistance(0.003 * grid->GetLength());
     CHECK(CheckScene(checks, scene, isRing ? "ring" : "bars") >= (isRing ? 0.03 : 0.0));
@@ -133,7 +108,7 @@ void CheckAnyOrder(TestChecks& checks)
   auto grid = SortMeshes::Kuhn(SortMeshes::JitteredLattice(12, 0.2));
   SortMeshes::AddScalar(grid);
   scene.SetTetrahedra(grid);
-  LookAt(scene, grid);
+  scene.LookAt(grid, { 0.1, 0.2, 0.97 }, 1.3);
   scene.SetSmooth();
   scene.Property->SetScalarOpacityUnitDistance(0.01 * grid->GetLength());
   CHECK(CheckScene(checks, scene, "lattice") > 0.25);

@@ -5,7 +5,6 @@
 #include "SortMeshes.h"
 #include "TilesScene.h"
 
-#include "vtkCamera.h"
 #include "vtkPiecewiseFunction.h"
 #include "vtkSMPTools.h"
 #include "vtkUnstructuredGrid.h"
@@ -28,15 +27,7 @@ void SetPeak(TilesScene& scene, double middle, double width)
 
 void LookAt(TilesScene& scene, vtkUnstructuredGrid* grid, const double (&direction)[3])
 {
-  double bounds[6], center[3];
-  grid->GetBounds(bounds);
-  grid->GetCenter(center);
-  vtkCamera* camera = scene.Renderer->GetActiveCamera();
-  camera->SetFocalPoint(center);
-  const double distance = 1.5 * grid->GetLength();
-  camera->SetPosition(center[0] + distance * direction[0], center[1] + distance * direction[1],
-    center[2] + distance * direction[2]);
-  scene.Renderer->ResetCameraClippingRange(bounds);
+  scene.LookAt(grid, direction, 1.5);
   scene.Property->SetScalarOpacityUnitDistance(0.05 * grid->GetLength());
 }
 

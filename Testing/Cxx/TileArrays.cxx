@@ -119,3 +119,15 @@ void TileArrays::LookFrom(const glm::dvec3& eye, double angle, int width, int he
   this->Scene.Camera.Width = width;
   this->Scene.Camera.Height = height;
 }
+
+//------------------------------------------------------------------------------
+double TileArrays::LargestDifference(
+  const std::vector<float>& a, const std::vector<float>& b)
+{
+  double largest = a.size() == b.size() ? 0.0 : 1e30;
+  for (std::size_t i = 0; i < std::min(a.size(), b.size()); ++i)
+  {
+    largest = std::max(largest, std::abs(double(a[i]) - b[i]));
+  }
+  return largest;
+}

@@ -25,6 +25,8 @@ public:
   void SetMesh();
   /// From `eye` to the middle.
   void LookFrom(const glm::dvec3& eye, double angle, int width, int height);
+  /// The largest difference of two images' numbers; 1e30 where they are not of one size.
+  static double LargestDifference(const std::vector<float>& a, const std::vector<float>& b);
   bool Render() { return this->Engine.Render(this->Scene); }
 
   int GetNumberOfCells() const { return static_cast<int>(this->Corners.size() / 4); }

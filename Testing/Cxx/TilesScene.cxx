@@ -42,6 +42,21 @@ void TilesScene::SetTetrahedra(vtkUnstructuredGrid* grid, bool cellScalars)
 }
 
 //------------------------------------------------------------------------------
+void TilesScene::LookAt(
+  vtkUnstructuredGrid* grid, const double (&direction)[3], double distance)
+{
+  double bounds[6], center[3];
+  grid->GetBounds(bounds);
+  grid->GetCenter(center);
+  const double away = distance * grid->GetLength();
+  vtkCamera* camera = this->Renderer->GetActiveCamera();
+  camera->SetFocalPoint(center);
+  camera->SetPosition(center[0] + away * direction[0], center[1] + away * direction[1],
+    center[2] + away * direction[2]);
+  this->Renderer->ResetCameraClippingRange(bounds);
+}
+
+//------------------------------------------------------------------------------
 TilesEngine::Scene TilesScene::DescribeScene()
 {
   vtkCamera* camera = this->Renderer->GetActiveCamera();

@@ -22,6 +22,9 @@ public:
   /// Tetrahedra; takes their active point scalars, or with `cellScalars` those of the cells.
   void SetTetrahedra(vtkUnstructuredGrid* grid, bool cellScalars = false);
 
+  /// At the middle of a mesh, along a direction from it, `distance` times its length away.
+  void LookAt(vtkUnstructuredGrid* grid, const double (&direction)[3], double distance);
+
   /// Draws by the engine; false where it refused.
   bool DrawTiles();
   /// The largest difference between the engine's image and the oracle; below zero where either
