@@ -33,8 +33,15 @@ test: build
 	cd $(BUILD) && ./offscreen.sh ctest --output-on-failure --no-tests=error -j 2 \
 	  $(if $(LABEL),-L '^$(LABEL)$$') $(if $(WITHOUT),-LE '^$(WITHOUT)$$')
 
+# BENCH: a section alone (mappers, scaling, tiles, sorts, ...), or all; BENCH_FOLDER is where the table and the plots
+# of scaling go.
+BENCH ?= all
+BENCH_FRAMES ?= 9
+BENCH_FOLDER ?= docs/bench
 bench: build
-	@$(offscreen) $(benchmark)
+	@mkdir -p $(BENCH_FOLDER)
+	@$(offscreen) $(benchmark) $(BENCH_FRAMES) $(BENCH) $(BENCH_FOLDER)
+	@$(if $(filter all scaling,$(BENCH)),$(python) Testing/Benchmark/scaling.py $(BENCH_FOLDER))
 
 # Speed against error: REPORT=full takes up to 40 minutes, quick 5; REPORT_FOLDER is where it goes.
 REPORT ?= full

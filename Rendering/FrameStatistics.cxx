@@ -9,10 +9,10 @@
 namespace
 {
 template <class Array, class Value>
-void AddColumn(vtkTable* table, const char* name, const Value& value)
+void AddColumn(vtkTable* table, const std::string& name, const Value& value)
 {
   vtkNew<Array> column;
-  column->SetName(name);
+  column->SetName(name.c_str());
   column->InsertNextValue(value);
   table->AddColumn(column);
 }
@@ -39,5 +39,9 @@ void FrameStatistics::FillTable(vtkTable* table) const
   if (this->ImageSampleDistance > 1.0)
   {
     AddColumn<vtkDoubleArray>(table, "ImageSampleDistance", this->ImageSampleDistance);
+  }
+  for (const auto& column : this->Further)
+  {
+    AddColumn<vtkDoubleArray>(table, column.first, column.second);
   }
 }

@@ -5,6 +5,8 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
+#include <vector>
 
 class vtkTable;
 
@@ -31,8 +33,11 @@ public:
   double SecondsBlend = 0.0;
   /// Pixels from ray to ray.
   double ImageSampleDistance = 1.0;
+  /// Names and numbers that a mapper was asked for.
+  std::vector<std::pair<std::string, double>> Further;
 
-  /// One row, the columns named as the members, in their order; the last one where it is above 1.
+  /// One row, the columns named as the members, in their order; the last one where it is above 1,
+  /// and Further.
   void FillTable(vtkTable* table) const;
 
   /// Adds the seconds of its life to one of the members above.

@@ -6,8 +6,10 @@
 #include "TetrahedraSelection.h"
 #include "TilesFrame.h"
 #include "VolumeShading.h"
+#include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <string>
 
 //------------------------------------------------------------------------------
 void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSelection& selection,
@@ -73,6 +75,7 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   scene.OpaqueDepth = frame.OpaqueDepths;
   scene.ClippingPlanes = frame.ClippingPlanes;
   scene.IsAborted = TilesFrame::GetAbortCheck(frame);
+  scene.TimesStages = this->ReportsStages;
   scene.BackToFront = order ? &order->Cells : nullptr;
   if (!this->Engine.Render(scene))
   {
@@ -81,5 +84,31 @@ const float* TetrahedraTiles::Draw(CellProjectionFrame& frame, const PreparedVol
   frame.Statistics.CellsSkippedOutside = this->Engine.CountCellsOutside();
   frame.Statistics.CellsDrawn -= frame.Statistics.CellsSkippedOutside;
   frame.Statistics.RepairedPixels = this->Engine.GetCounts().RepairedPixels;
+  if (this->ReportsStages)
+  {
+    this->ReportStages(frame.Statistics);
+  }
   return this->Engine.GetImage().data();
+}
+
+//------------------------------------------------------------------------------
+void TetrahedraTiles::ReportStages(FrameStatistics& statistics) const
+{
+  for (int stage = 0; stage < TileStages::Other; ++stage)
+  {
+    statistics.Further.emplace_back(std::string("Seconds") + TileStages::GetName(stage),
+      this->Engine.GetStages().Seconds[stage]);
+  }
+  const TileCounts& counts = this->Engine.GetCounts();
+  const auto add = [&](const char* name, double value) { statistics.Further.emplace_back(name, value); };
+  add("Threads", vtkSMPTools::GetEstimatedNumberOfThreads());
+  add("CellsInTiles", static_cast<double>(this->Engine.CountCellsInTiles()));
+  add("CellsHidden", static_cast<double>(counts.HiddenCells));
+  add("Fragments", static_cast<double>(counts.Fragments));
+  add("Pieces", static_cast<double>(counts.Pieces));
+  add("LanesOfBlocks", static_cast<double>(counts.LanesOfBlocks));
+  add("LanesCovered", static_cast<double>(counts.CoveredLanes));
+  add("LanesShaded", static_cast<double>(counts.ShadedLanes));
+  add("BytesOfMesh", static_cast<double>(this->Engine.GetMeshMemory()));
+  add("BytesOfFrame", static_cast<double>(this->Engine.GetFrameMemory()));
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 class BackToFrontOrder;
+class FrameStatistics;
 class TetrahedraSelection;
 class VolumeShading;
 struct CellProjectionFrame;
@@ -33,10 +34,15 @@ public:
   const float* Draw(CellProjectionFrame& frame, const PreparedVolume& prepared,
     const VolumeShading& shading, const BackToFrontOrder* order);
 
+  /// Adds the stages of Draw and what they counted to the frame's statistics.
+  bool ReportsStages = false;
+
   /// Cells that are flat once their points are floats: they are not drawn.
   vtkIdType CountFlatCells() const;
 
 private:
+  void ReportStages(FrameStatistics& statistics) const;
+
   TilesEngine Engine;
   vtkTimeStamp CellsTime, ScalarsTime, SelectionTime, GradientsTime, ColorsTime;
 };

@@ -339,6 +339,7 @@ const float* vtkPreIntegratedTetrahedraMapper::DrawTiles(CellProjectionFrame& fr
 {
   Internals& internal = *this->Internal;
   internal.Tiles.UpdateShading(internal.Shading);
+  internal.Tiles.ReportsStages = this->ReportStages;
   return internal.Tiles.Draw(frame, this->GetPreparedVolume(), internal.Shading,
     internal.Sort || this->ReportOrder ? &internal.Order : nullptr);
 }
@@ -389,5 +390,6 @@ void vtkPreIntegratedTetrahedraMapper::PrintSelf(ostream& os, vtkIndent indent)
   os << indent << "CentroidThickness: " << this->CentroidThickness << "\n";
   os << indent << "CentroidRimOpacity: " << this->CentroidRimOpacity << "\n";
   os << indent << "ReportOrder: " << this->ReportOrder << "\n";
+  os << indent << "ReportStages: " << this->ReportStages << "\n";
   os << indent << "VisibilitySort: " << this->Internal->Sort.GetPointer() << "\n";
 }

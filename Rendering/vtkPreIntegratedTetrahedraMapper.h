@@ -167,6 +167,24 @@ public:
   vtkBooleanMacro(ReportOrder, bool);
   ///@}
 
+  ///@{
+  /**
+   * Have the Tiles engine time its stages and count what they did, as further columns of the
+   * statistics. SecondsCull, SecondsTransform, SecondsBox (boxes of cells, signs of faces), SecondsBin
+   * (lists of tiles); within tiles, the mean of all threads: SecondsOrder, SecondsSetUp (planes),
+   * SecondsCover, SecondsShade, SecondsComposite, SecondsRepair (pixels found and sorted), SecondsWrite,
+   * SecondsWait (for the last tile); Threads; CellsInTiles (one for every tile of a cell), CellsHidden
+   * (of these, behind what is opaque), Fragments (rays in cells), Pieces (of fragments, cut where the
+   * function bends); LanesOfBlocks and LanesCovered (of vectors of pixels, and those in a cell),
+   * LanesShaded (of vectors of pieces); BytesOfMesh and BytesOfFrame (memory of the engine that lasts,
+   * and that a frame needs). A frame takes up to a twentieth longer. Default: off, and then it costs
+   * nothing.
+   */
+  vtkSetMacro(ReportStages, bool);
+  vtkGetMacro(ReportStages, bool);
+  vtkBooleanMacro(ReportStages, bool);
+  ///@}
+
 protected:
   vtkPreIntegratedTetrahedraMapper();
   ~vtkPreIntegratedTetrahedraMapper() override;
@@ -205,6 +223,7 @@ private:
   double CentroidThickness = 2.75;
   double CentroidRimOpacity = 0.3;
   bool ReportOrder = false;
+  bool ReportStages = false;
 
   class Internals;
   std::unique_ptr<Internals> Internal;

@@ -65,7 +65,7 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
       ClipFragments(task.Common, tile, q);
     }
     scratch.Counts.Fragments += q.Count;
-    scratch.Counts.Pieces += ShadeEmission(table, view, tile, q, scratch.Remainders);
+    scratch.Counts.Pieces += ShadeEmission(table, view, tile, q, scratch.Remainders).Pieces;
     AddFragments(q, scratch.Buffer);
     q.Count = 0;
   };

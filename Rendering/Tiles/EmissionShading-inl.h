@@ -50,7 +50,7 @@ public:
   }
 
   /// Fills the colours; returns how many pieces there were.
-  long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
+  TileShadeCount Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
     return ShadeInPasses(
       fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
@@ -156,7 +156,7 @@ private:
 };
 
 /// Fills the colours of the queue; returns the number of pieces.
-inline long long ShadeEmission(const EmissionTable& table, const TileView& view,
+inline TileShadeCount ShadeEmission(const EmissionTable& table, const TileView& view,
   const TileRectangle& tile, TileFragments& fragments, TileRemainders (&remainders)[2])
 {
   if (FitsRegisters(table))

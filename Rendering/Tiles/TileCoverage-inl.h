@@ -299,6 +299,7 @@ inline void CoverExactCell(
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
   const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
+  out.CountLanes(lastX - firstX + 1, lastY - firstY + 1, lanes, 1);
   for (int y = firstY; y <= lastY; ++y)
   {
     for (int left = firstX; left <= lastX; left += lanes)
@@ -364,6 +365,7 @@ inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const Til
     }
     const int set = group.Entries[k];
     const BlockShapes::Shape& shape = shapes.Choose(group.Width[k], group.Height[k]);
+    out.CountLanes(group.Width[k], group.Height[k], shape.Width, shape.Height);
     switch (lists.Entries[set])
     {
       case 1:

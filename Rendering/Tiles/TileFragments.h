@@ -55,11 +55,30 @@ struct TileFragments
   }
   bool NamesCells = false;
 
+  /** The lanes of the blocks that cover a box. */
+  void CountLanes(int width, int height, int blockWidth, int blockHeight)
+  {
+    if (this->CountsLanes && width > 0 && height > 0)
+    {
+      const int blocks = ((width + blockWidth - 1) / blockWidth) * ((height + blockHeight - 1) / blockHeight);
+      this->LanesOfBlocks += static_cast<long long>(blocks) * blockWidth * blockHeight;
+    }
+  }
+  bool CountsLanes = false;
+  long long LanesOfBlocks = 0;
+
 private:
   static constexpr int Vector = 16;
   int Runs = 0;
   int RunStart[Capacity];
   int RunCell[Capacity];
+};
+
+/** What was shaded: pieces, and the lanes of their vectors. */
+struct TileShadeCount
+{
+  long long Pieces = 0;
+  long long Lanes = 0;
 };
 
 /** What is left to shade of fragments that a node of the transfer function, or an optical depth of

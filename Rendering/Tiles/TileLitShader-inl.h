@@ -59,7 +59,7 @@ public:
   {
   }
 
-  long long Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
+  TileShadeCount Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
   {
     return ShadeInPasses(
       fragments.Count, remainders, [&](TileLitPieces& rest) { this->ShadeFirstPieces(fragments, rest); },

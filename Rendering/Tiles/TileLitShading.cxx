@@ -15,7 +15,7 @@ namespace CellProjectionTiles
 namespace HWY_NAMESPACE
 {
 // NOLINTNEXTLINE: Highway's dispatch table names it.
-long long ShadeLit(const TileTask& task, const TileRectangle& tile, TileFragments& fragments,
+TileShadeCount ShadeLit(const TileTask& task, const TileRectangle& tile, TileFragments& fragments,
   TileLitPieces (&remainders)[2])
 {
   const TileLighting& lighting = *task.Lighting;
@@ -40,7 +40,7 @@ HWY_EXPORT(ShadeLit);
 }
 
 //------------------------------------------------------------------------------
-long long TileLitShading::Shade(const TileTask& task, const TileRectangle& tile,
+TileShadeCount TileLitShading::Shade(const TileTask& task, const TileRectangle& tile,
   TileFragments& fragments, TileLitPieces (&remainders)[2])
 {
   return HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ShadeLit)(task, tile, fragments, remainders);

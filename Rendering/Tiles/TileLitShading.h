@@ -13,12 +13,13 @@
 struct TileFragments;
 struct TileLitPieces;
 struct TileRectangle;
+struct TileShadeCount;
 struct TileTask;
 
 namespace TileLitShading
 {
-/** Fills the colours; returns how many pieces there were. `task` has Lighting and the fields. */
-long long Shade(const TileTask& task, const TileRectangle& tile, TileFragments& fragments,
+/** Fills the colours; `task` has Lighting and the fields. */
+TileShadeCount Shade(const TileTask& task, const TileRectangle& tile, TileFragments& fragments,
   TileLitPieces (&remainders)[2]);
 }
 

@@ -199,22 +199,29 @@ HWY_INLINE void ShadeInSteps(
 }
 
 /// `first(rest)` shades the first pieces of `count` fragments, `others(pass, now, next)` those that
-/// wait; returns how many pieces there were.
+/// wait.
 template <class Queue, class First, class Others>
-long long ShadeInPasses(int count, Queue (&queues)[2], const First& first, const Others& others)
+TileShadeCount ShadeInPasses(int count, Queue (&queues)[2], const First& first, const Others& others)
 {
-  long long pieces = count;
+  constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
+  TileShadeCount sum;
+  auto add = [&sum](int pieces)
+  {
+    sum.Pieces += pieces;
+    sum.Lanes += (pieces + lanes - 1) / lanes * lanes;
+  };
+  add(count);
   Queue* now = &queues[0];
   Queue* next = &queues[1];
   now->Count = 0;
   first(*now);
   for (int pass = 1; now->Count > 0; ++pass, std::swap(now, next))
   {
-    pieces += now->Count;
+    add(now->Count);
     next->Count = 0;
     others(pass, *now, *next);
   }
-  return pieces;
+  return sum;
 }
 }
 }

@@ -104,8 +104,10 @@ void CoverTile(
   scratch.Boxes.resize(ids.size());
   scratch.Fragments.Count = 0;
   scratch.Fragments.NamesCells = task.Lighting != nullptr;
+  scratch.Fragments.CountsLanes = scratch.Clock.GetIsOn();
   auto handOn = [&]
   {
+    scratch.Counts.CoveredLanes += scratch.Fragments.Count;
     scratch.Fragments.NameCells();
     if (task.Limits)
     {
@@ -129,6 +131,7 @@ void CoverTile(
       PrefetchFields(*task.Colors, ids, at, end);
     }
     SetUpGroup(task, tile, bounds, &ids[at], count, scratch.Group);
+    scratch.Clock.Lap(TileStages::SetUp);
     for (int k = 0; k < count;)
     {
       k = CoverGroup(task, tile, scratch.Group, &ids[at], k, count, shapes, &scratch.Boxes[at],
@@ -138,13 +141,16 @@ void CoverTile(
         handOn();
       }
     }
+    scratch.Clock.Lap(TileStages::Cover);
     at = end;
   }
   scratch.Counts.HiddenCells += static_cast<long long>(ids.size() - at);
   handOn();
+  scratch.Counts.LanesOfBlocks += scratch.Fragments.LanesOfBlocks;
+  scratch.Fragments.LanesOfBlocks = 0;
 }
 
-inline long long ShadeTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
+inline TileShadeCount ShadeTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
 {
   if (!task.Lighting)
   {
@@ -168,13 +174,22 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
   scratch.Counts.RepairedPixels += wrong;
   repair.KeepCells(scratch.Drawn, scratch.Boxes);
   scratch.Occlusion.Clear(task, tile);
-  CoverTile(task, repair.Box(tile), scratch, [&] { repair.Collect(scratch.Fragments); });
+  CoverTile(task, repair.Box(tile), scratch,
+    [&]
+    {
+      scratch.Clock.Lap(TileStages::Cover);
+      repair.Collect(scratch.Fragments);
+      scratch.Clock.Lap(TileStages::Repair);
+    });
   repair.Sort(*task.View);
   repair.Clear(scratch.Buffer);
   while (repair.Take(scratch.Fragments))
   {
+    scratch.Clock.Lap(TileStages::Repair);
     ShadeTile(task, tile, scratch);
+    scratch.Clock.Lap(TileStages::Shade);
     CompositeFragments<false>(scratch.Fragments, task.Tolerance, scratch.Buffer);
+    scratch.Clock.Lap(TileStages::Composite);
   }
 }
 
@@ -198,18 +213,26 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
 {
   scratch.Buffer.Clear();
   scratch.Occlusion.Clear(task, tile);
+  scratch.Clock.Lap(TileStages::Write);
   CoverTile(task, tile, scratch,
     [&]
     {
       TileFragments& fragments = scratch.Fragments;
       scratch.Occlusion.Watch(fragments, scratch.Buffer);
       scratch.Counts.Fragments += fragments.Count;
-      scratch.Counts.Pieces += ShadeTile(task, tile, scratch);
+      scratch.Clock.Lap(TileStages::Cover);
+      const TileShadeCount shaded = ShadeTile(task, tile, scratch);
+      scratch.Counts.Pieces += shaded.Pieces;
+      scratch.Counts.ShadedLanes += shaded.Lanes;
+      scratch.Clock.Lap(TileStages::Shade);
       CompositeFragments<true>(fragments, task.Tolerance, scratch.Buffer);
+      scratch.Clock.Lap(TileStages::Composite);
     });
   scratch.Counts.Cells += static_cast<long long>(scratch.Drawn.size());
   RepairTile(task, tile, scratch);
+  scratch.Clock.Lap(TileStages::Repair);
   WriteTile(task, tile, scratch.Buffer);
+  scratch.Clock.Lap(TileStages::Write);
 }
 }
 }

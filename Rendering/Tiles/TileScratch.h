@@ -6,6 +6,7 @@
 
 #include "ConvexTileExactCell.h"
 #include "TileBuffer.h"
+#include "TileClock.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
 #include "TileLitPieces.h"
@@ -34,6 +35,7 @@ struct TileScratch
   std::vector<std::uint32_t> Boxes;
   ConvexTileExactCell ExactCell;
   TileCounts Counts;
+  TileClock Clock;
 };
 
 #endif

@@ -32,8 +32,23 @@ TileCounts TileScratchPool::CollectCounts()
     sum.HiddenCells += scratch->Counts.HiddenCells;
     sum.Fragments += scratch->Counts.Fragments;
     sum.Pieces += scratch->Counts.Pieces;
+    sum.ShadedLanes += scratch->Counts.ShadedLanes;
+    sum.LanesOfBlocks += scratch->Counts.LanesOfBlocks;
+    sum.CoveredLanes += scratch->Counts.CoveredLanes;
     sum.RepairedPixels += scratch->Counts.RepairedPixels;
     scratch->Counts = TileCounts();
+  }
+  return sum;
+}
+
+//------------------------------------------------------------------------------
+TileStages TileScratchPool::CollectStages()
+{
+  TileStages sum;
+  for (const std::unique_ptr<TileScratch>& scratch : this->Free)
+  {
+    sum.Add(scratch->Clock.Stages);
+    scratch->Clock.Stages = TileStages();
   }
   return sum;
 }

@@ -20,6 +20,9 @@ public:
   /** Sums up what was counted, and counts anew. */
   TileCounts CollectCounts();
 
+  /** The same of the seconds: each stage's, of all threads together. */
+  TileStages CollectStages();
+
   /** Bytes of what goes with the cells of a tile. */
   std::size_t GetMemorySize() const;
 

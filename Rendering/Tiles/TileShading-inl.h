@@ -90,8 +90,8 @@ public:
   {
   }
 
-  /// Fills the colours; returns how many pieces there were.
-  long long Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
+  /// Fills the colours.
+  TileShadeCount Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
     return ShadeInPasses(
       fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
@@ -266,7 +266,7 @@ private:
   const float WeightScale, WeightOffset;
 };
 
-inline long long ShadeFragments(const TileTask& task, const TileRectangle& tile,
+inline TileShadeCount ShadeFragments(const TileTask& task, const TileRectangle& tile,
   TileFragments& fragments, TileRemainders (&remainders)[2])
 {
   if (FitsRegisters(*task.Transfer))

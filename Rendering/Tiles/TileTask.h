@@ -71,6 +71,12 @@ struct TileCounts
   long long HiddenCells = 0;
   long long Fragments = 0;
   long long Pieces = 0;
+  /** Of vectors that were shaded. */
+  long long ShadedLanes = 0;
+  /** Of the blocks of pixels that coverage looked at, and those that cells covered: where stages are
+   *  timed. */
+  long long LanesOfBlocks = 0;
+  long long CoveredLanes = 0;
   long long RepairedPixels = 0;
 };
 

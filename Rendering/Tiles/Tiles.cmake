@@ -56,6 +56,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCellFields.h
   Rendering/Tiles/TileCells.h
   Rendering/Tiles/TileClipping-inl.h
+  Rendering/Tiles/TileClock.h
   Rendering/Tiles/TileClusters.h
   Rendering/Tiles/TileColors-inl.h
   Rendering/Tiles/TileCompositing-inl.h
@@ -88,6 +89,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileScratchPool.h
   Rendering/Tiles/TileSetup-inl.h
   Rendering/Tiles/TileShading-inl.h
+  Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
   Rendering/Tiles/TileTransfer.h
   Rendering/Tiles/TileVertices.h

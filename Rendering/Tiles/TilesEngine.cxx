@@ -85,9 +85,11 @@ bool TilesEngine::Render(const Scene& scene)
   {
     return false;
   }
+  this->Clock.Begin(scene.TimesStages);
   this->Cull(scene);
   this->Transform();
   this->Bin(scene);
+  this->Clock.End();
   this->SetTask(scene);
   return this->Project(scene);
 }
@@ -122,6 +124,7 @@ void TilesEngine::Cull(const Scene& scene)
   {
     this->IsTransformed = false;
   }
+  this->Clock.Lap(TileStages::Cull);
 }
 
 //------------------------------------------------------------------------------
@@ -130,7 +133,9 @@ void TilesEngine::Transform()
   if (!this->IsTransformed)
   {
     this->Vertices.Transform(this->Mesh.Points, this->View, &this->Clusters);
+    this->Clock.Lap(TileStages::Transform);
     this->Cells.Project(this->Mesh, this->View, this->Vertices, this->Clusters);
+    this->Clock.Lap(TileStages::Box);
     this->IsTransformed = true;
     this->IsBinned = false;
   }
@@ -164,6 +169,7 @@ void TilesEngine::Bin(const Scene& scene)
   this->IsSorted = scene.BackToFront != nullptr;
   // The next frame's order may be another one, where it is not found here.
   this->IsBinned = !this->IsSorted;
+  this->Clock.Lap(TileStages::Bin);
 }
 
 //------------------------------------------------------------------------------
@@ -204,8 +210,10 @@ void TilesEngine::SetLighting(const Scene& scene)
 //------------------------------------------------------------------------------
 bool TilesEngine::Project(const Scene& scene)
 {
+  const auto start = TileClock::Wall::now();
   const bool isDrawn = TileLoop::Run(this->Bins.GetHeaviestFirst(), this->TilesX, scene.IsAborted, this->Scratch,
-    [this](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch); });
+    [&](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch, scene.TimesStages); });
+  this->CollectStages(std::chrono::duration<double>(TileClock::Wall::now() - start).count());
   this->Counts = this->Scratch.CollectCounts();
   // Of a frame that was given up some tiles have put their lists in order, the others have not.
   this->IsSorted = this->IsSorted || isDrawn;
@@ -214,8 +222,9 @@ bool TilesEngine::Project(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-void TilesEngine::DrawTile(int tile, TileScratch& scratch)
+void TilesEngine::DrawTile(int tile, TileScratch& scratch, bool isTimed)
 {
+  scratch.Clock.Begin(isTimed);
   int* cells = this->Bins.GetTile(tile);
   const int count = this->Bins.GetSize(tile);
   auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
@@ -225,7 +234,23 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   }
   scratch.Drawn.clear();
   std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);
+  scratch.Clock.Lap(TileStages::Order);
   const TileRectangle rectangle =
     TileRectangle::OfTile(tile, this->View.Width, this->View.Height);
   TileProjection::Draw(this->Task, rectangle, scratch);
+  scratch.Clock.End();
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::CollectStages(double secondsOfTiles)
+{
+  this->Stages = this->Clock.Stages;
+  this->Clock.Stages = TileStages();
+  if (this->Clock.GetIsOn())
+  {
+    const double share = 1.0 / std::max(1, vtkSMPTools::GetEstimatedNumberOfThreads());
+    const TileStages tiles = this->Scratch.CollectStages();
+    this->Stages.Add(tiles, share);
+    this->Stages.Seconds[TileStages::Wait] = std::max(0.0, secondsOfTiles - share * tiles.GetSum());
+  }
 }

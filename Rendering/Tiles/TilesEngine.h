@@ -14,6 +14,7 @@
 #include "TileBins.h"
 #include "TileCellFields.h"
 #include "TileCells.h"
+#include "TileClock.h"
 #include "TileClusters.h"
 #include "TileLighting.h"
 #include "TileLimits.h"
@@ -53,6 +54,8 @@ public:
     TileLoop::AbortCheck IsAborted;
     /** Leaves out cells behind pixels that are nearly opaque, see class TileOcclusion. */
     bool EndsEarly = true;
+    /** Times the stages and counts the lanes of coverage. */
+    bool TimesStages = false;
   };
 
   void SetMesh(
@@ -73,6 +76,8 @@ public:
   /** Premultiplied RGBA, first row at the bottom. */
   const std::vector<float>& GetImage() const { return this->Image; }
   const TileCounts& GetCounts() const { return this->Counts; }
+  /** Of the last frame, all zero where it was not asked for them. */
+  const TileStages& GetStages() const { return this->Stages; }
   const TileMesh& GetMesh() const { return this->Mesh; }
   /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
   long long CountCellsOutside() const { return this->Clusters.CountCellsOutside(); }
@@ -92,7 +97,8 @@ private:
   void SetTask(const Scene& scene);
   void SetLighting(const Scene& scene);
   bool Project(const Scene& scene);
-  void DrawTile(int tile, TileScratch& scratch);
+  void DrawTile(int tile, TileScratch& scratch, bool isTimed);
+  void CollectStages(double secondsOfTiles);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
 
   TileMesh Mesh;
@@ -108,6 +114,8 @@ private:
   TileScratchPool Scratch;
   TileTask Task;
   TileCounts Counts;
+  TileClock Clock;
+  TileStages Stages;
   std::vector<float> Image;
   int TilesX = 0, TilesY = 0;
 

@@ -1,20 +1,24 @@
 // Mappers: ours by both engines and VTK's projected tetrahedra on the same meshes, views and
 // transfer functions, frames interleaved, each one's error against the float64 oracle in the same
-// row. Tiles: stages, sizes, pixels, threads, ray casters. Sorts: every visibility sort on the same
+// row. Scaling: the same and VTK's ray casters against cells, pixels and threads, with the stages of
+// Tiles, as CSV. Tiles: stages, sizes, pixels, threads, ray casters. Sorts: every visibility sort on the same
 // meshes and eyes. Cuts: what convexification costs and gives. Hexahedra: the mappers that draw
 // cells as they are, beside those of tetrahedra. Simplification: levels of a mesh, as CSV. Cells:
 // what vtkConvexCells takes. Shells: the paper's tables. Surfaces: iso-surfaces of moving meshes
 // beside contours.
-//   CellProjectionBenchmark [frames [SECTION]]; one of mappers, tiles, sorts, cuts, hexahedra,
-//   simplification, cells, shells, surfaces;
-//   the data's folder is in CELLPROJECTION_DATA
+//   CellProjectionBenchmark [frames [SECTION [FOLDER]]]; one of mappers, scaling, scaling-tiny, tiles,
+//   sorts, cuts, hexahedra, simplification, cells, shells, surfaces, or all; scaling.csv goes to the
+//   folder; the data's folder is in CELLPROJECTION_DATA
 
+#include "BenchmarkError.h"
+#include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
 #include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
 #include "IsoBenchmark.h"
 #include "RealMeshes.h"
+#include "ScalingBenchmark.h"
 #include "ShellBenchmark.h"
 #include "SimplificationBenchmark.h"
 #include "SortBenchmark.h"
@@ -23,16 +27,13 @@
 #include "TilesBenchmark.h"
 
 #include "vtkCellProjectionOracle.h"
-#include "vtkImageData.h"
-#include "vtkPreIntegratedTetrahedraMapper.h"
-#include "vtkProjectedTetrahedraMapper.h"
+#include "vtkConvexCellMapper.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 
 #include <cstdio>
 #include <cstdlib>
-#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -49,97 +50,17 @@ struct Row
   double First = 0.0;
   double Prepare = 0.0;
   std::vector<double> Seconds;
-  double RootMeanSquare = 0.0;
-  double Percentile = 0.0;
-  double Maximum = 0.0;
-  double Share = 0.0;
+  BenchmarkError Error;
 };
 
-using MapperPointer = vtkSmartPointer<vtkUnstructuredGridVolumeMapper>;
-using Capture = std::function<vtkSmartPointer<vtkImageData>(BenchmarkScene&, vtkImageData* oracle)>;
-
-// VTK's window shows colours alone: the oracle's own alpha keeps alpha out of the comparison.
-vtkSmartPointer<vtkImageData> CaptureWindow(BenchmarkScene& scene, vtkImageData* oracle)
+std::vector<BenchmarkMapper> Contenders()
 {
-  auto image = scene.ReadWindow();
-  for (int y = 0; y < ErrorSize; ++y)
-  {
-    for (int x = 0; x < ErrorSize; ++x)
-    {
-      image->SetScalarComponentFromDouble(
-        x, y, 0, 3, oracle->GetScalarComponentAsDouble(x, y, 0, 3));
-    }
-  }
-  return image;
-}
-
-// What a mapper of ours drew before it was blended into the window.
-vtkSmartPointer<vtkImageData> CaptureOurs(BenchmarkScene& scene, vtkImageData*)
-{
-  return vtkConvexCellMapper::SafeDownCast(scene.Volume->GetMapper())->GetCapturedImage();
-}
-
-MapperPointer MakeOurs(int engine)
-{
-  auto mapper = vtkSmartPointer<vtkPreIntegratedTetrahedraMapper>::New();
-  mapper->SetEngine(engine);
-  return mapper;
-}
-
-// A mapper of the comparison.
-struct Contender
-{
-  std::string Name;
-  std::function<MapperPointer()> Make;
-  Capture Captures;
-  bool IsLit = false;
-
-  std::unique_ptr<BenchmarkScene> Show(vtkUnstructuredGrid* grid, int size, bool spiky) const
-  {
-    auto scene = std::make_unique<BenchmarkScene>(this->Make(), grid, size, spiky);
-    scene->Volume->GetProperty()->SetShade(this->IsLit);
-    return scene;
-  }
-};
-
-std::vector<Contender> Contenders()
-{
-  const auto tiles = [] { return MakeOurs(vtkConvexCellMapper::TILES); };
-  return { { "ours, Tiles", tiles, CaptureOurs }, { "ours, Tiles, lit", tiles, CaptureOurs, true },
-    { "ours, Raster", [] { return MakeOurs(vtkConvexCellMapper::RASTER); }, CaptureOurs },
-    { "VTK projected tetrahedra",
-      [] { return vtkSmartPointer<vtkProjectedTetrahedraMapper>::New(); }, CaptureWindow } };
-}
-
-void MeasureError(const Contender& contender, vtkUnstructuredGrid* grid, bool spiky,
-  vtkCellProjectionOracle* oracle, Row& row)
-{
-  const std::unique_ptr<BenchmarkScene> shown = contender.Show(grid, ErrorSize, spiky);
-  BenchmarkScene& scene = *shown;
-  if (auto* ours = vtkConvexCellMapper::SafeDownCast(scene.Volume->GetMapper()))
-  {
-    ours->CaptureImageOn();
-  }
-  // Of the first frame of VTK's projected tetrahedra a part is missing.
-  scene.TimeFrame(0);
-  scene.TimeFrame(0);
-  if (!oracle->GetImage())
-  {
-    oracle->SetInputData(grid);
-    oracle->SetVolume(scene.Volume);
-    oracle->SetCamera(scene.Renderer->GetActiveCamera());
-    oracle->SetSize(ErrorSize, ErrorSize);
-    oracle->Update();
-  }
-  oracle->Compare(contender.Captures(scene, oracle->GetImage()));
-  row.RootMeanSquare = oracle->GetRootMeanSquareError();
-  row.Percentile = oracle->GetPercentileError();
-  row.Maximum = oracle->GetMaximumError();
-  row.Share = oracle->GetShareAboveHalfLevel();
+  return { BenchmarkMapper::Tiles(), BenchmarkMapper::LitTiles(), BenchmarkMapper::Raster(),
+    BenchmarkMapper::ProjectedTetrahedra() };
 }
 
 // Interleaved, so that whatever else the machine does meets all.
-void MeasureSpeed(const std::vector<Contender>& contenders, vtkUnstructuredGrid* grid, bool spiky,
+void MeasureSpeed(const std::vector<BenchmarkMapper>& contenders, vtkUnstructuredGrid* grid, bool spiky,
   int frames, std::vector<Row>& rows)
 {
   std::vector<std::unique_ptr<BenchmarkScene>> scenes;
@@ -166,7 +87,7 @@ void Print(const Row& row, double peer, vtkIdType cells)
   const double median = Median(row.Seconds);
   std::printf("%-28s %9.1f %9.1f %9.1f %8.2f %7.2f %9.2e %9.2e %9.2e %7.1f\n", row.Name.c_str(),
     1e3 * median, 1e3 * row.First, 1e3 * row.Prepare, 1e-6 * cells / median, peer / median,
-    row.RootMeanSquare, row.Percentile, row.Maximum, 100.0 * row.Share);
+    row.Error.RootMeanSquare, row.Error.Percentile, row.Error.Maximum, 100.0 * row.Error.Share);
 }
 
 void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
@@ -176,7 +97,7 @@ void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
               "%d x %d\n",
     mesh.Name.c_str(), spiky ? "spiky" : "smooth", static_cast<long long>(cells), ImageSize,
     ImageSize, frames, ErrorSize, ErrorSize);
-  const std::vector<Contender> contenders = Contenders();
+  const std::vector<BenchmarkMapper> contenders = Contenders();
   std::vector<Row> rows(contenders.size());
   MeasureSpeed(contenders, mesh.Grid, spiky, frames, rows);
   vtkNew<vtkCellProjectionOracle> unlit, lit;
@@ -185,7 +106,8 @@ void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
   for (size_t i = 0; i < contenders.size(); ++i)
   {
     rows[i].Name = contenders[i].Name;
-    MeasureError(contenders[i], mesh.Grid, spiky, contenders[i].IsLit ? lit : unlit, rows[i]);
+    rows[i].Error = BenchmarkError::Measure(
+      contenders[i], mesh.Grid, spiky, ErrorSize, contenders[i].IsLit ? lit : unlit);
     Print(rows[i], Median(rows.back().Seconds), cells);
   }
 }
@@ -272,10 +194,16 @@ int main(int argc, char* argv[])
   const char* folder = std::getenv("CELLPROJECTION_DATA");
   const BenchmarkMesh mesh = LoadBenchmarkMesh(folder ? folder : "");
   const int frames = argc > 1 ? std::atoi(argv[1]) : 9;
-  const std::string section = argc > 2 ? argv[2] : "";
+  const std::string name = argc > 2 ? argv[2] : "all";
+  const std::string section = name == "all" ? "" : name;
   if (section.empty() || section == "mappers")
   {
     CompareMappersOnMeshes(mesh, frames);
+  }
+  if (section.empty() || section == "scaling" || section == "scaling-tiny")
+  {
+    ScalingBenchmark::Run(section == "scaling-tiny" ? ScalingBenchmark::Tiny() : ScalingBenchmark::Full(),
+      frames, argc > 3 ? argv[3] : "");
   }
   if (section.empty() || section == "tiles")
   {

@@ -77,6 +77,7 @@ TilesEngine::Scene TilesScene::DescribeScene()
   scene.BackToFront = this->BackToFront.empty() ? nullptr : &this->BackToFront;
   scene.IsAborted = this->IsAborted;
   scene.EndsEarly = this->EndsEarly;
+  scene.TimesStages = this->TimesStages;
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {

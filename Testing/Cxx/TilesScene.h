@@ -38,6 +38,7 @@ public:
   std::vector<float> OpaqueDepth;
   bool CellScalars = false;
   bool EndsEarly = true;
+  bool TimesStages = false;
   TileLoop::AbortCheck IsAborted;
 
 private:

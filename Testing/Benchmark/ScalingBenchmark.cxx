@@ -1,0 +1,321 @@
+#include "ScalingBenchmark.h"
+
+#include "BenchmarkMapper.h"
+#include "BenchmarkScene.h"
+#include "ScalingRow.h"
+#include "SortBenchmark.h"
+#include "SortMeshes.h"
+#include "ThreadHandOver.h"
+
+#include "vtkCellProjectionOracle.h"
+#include "vtkConvexCellMapper.h"
+#include "vtkSMPTools.h"
+#include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
+#include "vtkVariant.h"
+#include "vtkVersion.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <utility>
+
+namespace
+{
+using ScalingBenchmark::Plan;
+
+// From here on the oracle draws the smaller image.
+constexpr long long FewCells = 2000000;
+constexpr int LeastFrames = 2;
+
+struct Case
+{
+  std::string Sweep;
+  int Cubes = 0;
+  int Size = 0;
+  bool IsSpiky = false;
+};
+
+class Scaling
+{
+public:
+  Scaling(const Plan& plan, int frames, const std::string& folder)
+    : With(plan)
+    , Frames(frames)
+  {
+    if (!folder.empty())
+    {
+      this->CSV.open(folder + "/scaling.csv");
+      std::cout << (this->CSV ? "" : "cannot write ") << folder << "/scaling.csv" << std::endl;
+      ScalingRow::WriteHeader(this->CSV);
+    }
+  }
+
+  void CompareCells();
+  void ComparePixels();
+  void CompareThreads();
+
+private:
+  using Scene = std::unique_ptr<BenchmarkScene>;
+  void TakeLattice(int cubes);
+  std::vector<ScalingRow> Measure(const Case& what, std::vector<BenchmarkMapper> mappers);
+  bool IsLeftOut(const ScalingRow& row);
+  ScalingRow Begin(const Case& what, const BenchmarkMapper& mapper) const;
+  void TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const;
+  void MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row);
+  void Report(const std::vector<ScalingRow>& rows);
+  void PrintStages() const;
+
+  const Plan With;
+  const int Frames;
+  std::ofstream CSV;
+  vtkSmartPointer<vtkUnstructuredGrid> Lattice;
+  int CubesOfLattice = 0;
+  std::map<std::pair<int, bool>, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
+  // By method and function.
+  std::map<std::pair<std::string, bool>, ScalingRow> Last;
+  std::vector<ScalingRow> Timed;
+};
+
+//------------------------------------------------------------------------------
+void Scaling::TakeLattice(int cubes)
+{
+  if (this->CubesOfLattice != cubes)
+  {
+    this->Lattice = nullptr;
+    this->Lattice = SortBenchmark::MakeLattice(cubes);
+    SortMeshes::AddScalar(this->Lattice);
+    this->CubesOfLattice = cubes;
+  }
+}
+
+//------------------------------------------------------------------------------
+ScalingRow Scaling::Begin(const Case& what, const BenchmarkMapper& mapper) const
+{
+  ScalingRow row;
+  row.Sweep = what.Sweep;
+  row.Cells = this->Lattice->GetNumberOfCells();
+  row.Size = what.Size;
+  row.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  row.IsSpiky = what.IsSpiky;
+  row.Method = mapper.Name;
+  row.Engine = mapper.Engine;
+  row.ErrorSize = row.Cells > FewCells ? this->With.SmallErrorSize : this->With.ErrorSize;
+  return row;
+}
+
+//------------------------------------------------------------------------------
+bool Scaling::IsLeftOut(const ScalingRow& row)
+{
+  const auto last = this->Last.find({ row.Method, row.IsSpiky });
+  if (last == this->Last.end())
+  {
+    return false;
+  }
+  const double cells = static_cast<double>(row.Cells) / static_cast<double>(last->second.Cells);
+  const double edges = static_cast<double>(row.Size) / last->second.Size;
+  const double seconds = last->second.GetMedian() * cells * edges * edges;
+  if (seconds > this->With.SecondsPerFrame)
+  {
+    std::printf("%10lld %5d %3d %-6s %-24s left out: a frame may take %.0f s\n", row.Cells, row.Size,
+      row.Threads, row.IsSpiky ? "spiky" : "smooth", row.Method.c_str(), seconds);
+    return true;
+  }
+  return false;
+}
+
+// Interleaved, so that whatever else the machine does meets all.
+void Scaling::TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const
+{
+  std::vector<double> spent(scenes.size());
+  for (int frame = 1; frame <= this->Frames; ++frame)
+  {
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+    {
+      if (frame <= LeastFrames || spent[i] < this->With.SecondsPerRow)
+      {
+        rows[i].Frames.push_back(scenes[i]->TimeFrame(frame));
+        spent[i] += rows[i].Frames.back();
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scaling::MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row)
+{
+  auto& oracle = this->Oracles[{ what.Cubes, what.IsSpiky }];
+  if (!oracle)
+  {
+    oracle = vtkSmartPointer<vtkCellProjectionOracle>::New();
+  }
+  row.Error = BenchmarkError::Measure(mapper, this->Lattice, what.IsSpiky, row.ErrorSize, oracle);
+  // Its image serves the rows to come, without the mesh.
+  oracle->SetInputData(nullptr);
+}
+
+//------------------------------------------------------------------------------
+std::vector<ScalingRow> Scaling::Measure(const Case& what, std::vector<BenchmarkMapper> mappers)
+{
+  this->TakeLattice(what.Cubes);
+  mappers.erase(std::remove_if(mappers.begin(), mappers.end(),
+                  [&](const BenchmarkMapper& mapper)
+                  { return this->IsLeftOut(this->Begin(what, mapper)); }),
+    mappers.end());
+  std::vector<ScalingRow> rows;
+  std::vector<Scene> scenes;
+  for (const BenchmarkMapper& mapper : mappers)
+  {
+    rows.push_back(this->Begin(what, mapper));
+    scenes.push_back(mapper.Show(this->Lattice, what.Size, what.IsSpiky));
+    rows.back().First = scenes.back()->TimeFrame(0);
+    if (auto* ours = vtkConvexCellMapper::SafeDownCast(scenes.back()->Volume->GetMapper()))
+    {
+      rows.back().Prepare =
+        ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
+    }
+  }
+  this->TimeFrames(scenes, rows);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+  {
+    rows[i].Stages = FrameStages::Measure(*scenes[i], static_cast<int>(rows[i].Frames.size()));
+    scenes[i].reset();
+    this->MeasureError(what, mappers[i], rows[i]);
+  }
+  this->Report(rows);
+  return rows;
+}
+
+//------------------------------------------------------------------------------
+void Scaling::Report(const std::vector<ScalingRow>& rows)
+{
+  const auto peer = std::find_if(rows.begin(), rows.end(), [](const ScalingRow& row)
+    { return row.Method == BenchmarkMapper::ProjectedTetrahedra().Name; });
+  for (ScalingRow row : rows)
+  {
+    row.Reference = peer != rows.end() ? peer->GetMedian() : 0.0;
+    row.Print();
+    if (this->CSV.is_open())
+    {
+      row.Write(this->CSV);
+    }
+    this->Last[{ row.Method, row.IsSpiky }] = row;
+    if (row.Stages.IsMeasured())
+    {
+      this->Timed.push_back(row);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scaling::CompareCells()
+{
+  std::printf("\nAgainst cells\n");
+  ScalingRow::PrintHeader();
+  for (const int cubes : this->With.Cubes)
+  {
+    this->Measure({ "cells", cubes, this->With.Size, false },
+      { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
+        BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
+    this->Measure({ "cells", cubes, this->With.Size, true },
+      { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra() });
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scaling::ComparePixels()
+{
+  std::printf("\nAgainst pixels\n");
+  ScalingRow::PrintHeader();
+  for (const int size : this->With.Sizes)
+  {
+    this->Measure({ "pixels", this->With.CubesOfPixels, size, false },
+      { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
+        BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
+  }
+}
+
+//------------------------------------------------------------------------------
+void Scaling::CompareThreads()
+{
+  std::printf("\nAgainst threads\n");
+  ScalingRow::PrintHeader();
+  const int most = vtkSMPTools::GetEstimatedNumberOfThreads();
+  for (int threads = 1; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
+  {
+    vtkSMPTools::Initialize(threads);
+    for (const bool spiky : { false, true })
+    {
+      this->Measure(
+        { "threads", this->With.CubesOfThreads, this->With.Size, spiky }, { BenchmarkMapper::Tiles() });
+    }
+  }
+  vtkSMPTools::Initialize(most);
+  this->PrintStages();
+}
+
+//------------------------------------------------------------------------------
+void Scaling::PrintStages() const
+{
+  std::printf("\nTiles, ns per tetrahedron in each stage, of the median of as many frames again that are "
+              "timed; within tiles, from Order on, the mean of all threads; rest: driver, depth, blending; "
+              "cover, shade: lane use\n");
+  ScalingRow::PrintStagesHeader();
+  for (const ScalingRow& row : this->Timed)
+  {
+    row.PrintStages();
+  }
+}
+
+// The GL's own name of what draws.
+std::string FindRenderer()
+{
+  vtkNew<vtkRenderWindow> window;
+  window->SetOffScreenRendering(1);
+  window->Render();
+  const std::string all = window->ReportCapabilities();
+  const std::string key = "OpenGL renderer string:";
+  const std::size_t at = all.find(key);
+  return at == std::string::npos
+    ? "unknown"
+    : all.substr(at + key.size(), all.find('\n', at) - at - key.size());
+}
+
+void PrintHeading(const Plan& plan, int frames)
+{
+  std::printf("\nScaling of jittered lattices of tetrahedra: %s; %d threads by vtkSMPTools (%s); VTK %s\n",
+    FindRenderer().c_str(), vtkSMPTools::GetEstimatedNumberOfThreads(), vtkSMPTools::GetBackend(),
+    vtkVersion::GetVTKVersion());
+  std::printf("up to %d frames, a new eye each; errors at %d x %d pixels, above %lld tetrahedra at %d x %d, "
+              "of VTK's mappers in 8 bits without alpha; a mapper is left out where a frame may take more than "
+              "%.0f s\n",
+    frames, plan.ErrorSize, plan.ErrorSize, FewCells, plan.SmallErrorSize, plan.SmallErrorSize,
+    plan.SecondsPerFrame);
+  ThreadHandOver::Print();
+}
+}
+
+//------------------------------------------------------------------------------
+ScalingBenchmark::Plan ScalingBenchmark::Full()
+{
+  return { { 15, 30, 60, 126 }, { 256, 512, 1024, 2048 }, 30, 60, 512, 96, 32, 10.0, 5.0 };
+}
+
+//------------------------------------------------------------------------------
+ScalingBenchmark::Plan ScalingBenchmark::Tiny()
+{
+  return { { 3, 5 }, { 32, 64 }, 3, 5, 64, 32, 32, 10.0, 1.0 };
+}
+
+//------------------------------------------------------------------------------
+void ScalingBenchmark::Run(const Plan& plan, int frames, const std::string& folder)
+{
+  PrintHeading(plan, frames);
+  Scaling scaling(plan, frames, folder);
+  scaling.CompareCells();
+  scaling.ComparePixels();
+  scaling.CompareThreads();
+}

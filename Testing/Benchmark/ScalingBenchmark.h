@@ -1,0 +1,40 @@
+#ifndef ScalingBenchmark_h
+#define ScalingBenchmark_h
+
+#include <string>
+#include <vector>
+
+/// How the time of a frame grows with cells, pixels and threads: Tiles with its stages beside our Raster
+/// engine, VTK's projected tetrahedra and its ray casters, each with its error against the oracle.
+namespace ScalingBenchmark
+{
+struct Plan
+{
+  /// Cubes of six tetrahedra along an edge of the lattices, ascending.
+  std::vector<int> Cubes;
+  /// Widths and heights of images, ascending, of the lattice of CubesOfPixels.
+  std::vector<int> Sizes;
+  int CubesOfPixels;
+  int CubesOfThreads;
+  /// Of the rows for cells and threads.
+  int Size;
+  /// The oracle looks at every cell for every pixel: a small image of the same view, smaller where there are
+  /// more than FewCells.
+  int ErrorSize;
+  int SmallErrorSize;
+  /// What a frame of a mapper may take, by the last row: where it takes longer the mapper is left out.
+  double SecondsPerFrame;
+  /// Slow mappers have two frames, or as many as this allows.
+  double SecondsPerRow;
+};
+
+/// 20,250 to 12,002,256 tetrahedra, 256 x 256 to 2048 x 2048 pixels.
+Plan Full();
+/// A few cells and pixels: for the test.
+Plan Tiny();
+
+/// Prints the tables, and writes scaling.csv into `folder` where it is not empty.
+void Run(const Plan& plan, int frames, const std::string& folder);
+}
+
+#endif

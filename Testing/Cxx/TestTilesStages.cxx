@@ -1,0 +1,93 @@
+// What the Tiles engine says of its stages: times that add up to no more than the frame, as many fragments
+// as the oracle finds pieces of rays in cells, vectors no fuller than full; the same image as without, and
+// nothing said then.
+
+#include "TestMeshes.h"
+#include "TilesScene.h"
+
+#include "vtkSMPTools.h"
+
+#include <chrono>
+#include <cmath>
+#include <iostream>
+
+namespace
+{
+// Rays that graze an edge may be in a cell for the one and not for the other.
+constexpr double Grazing = 1e-3;
+
+double DrawTimed(TestChecks& checks, TilesScene& scene)
+{
+  const auto start = std::chrono::steady_clock::now();
+  CHECK(scene.DrawTiles());
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+void CheckTimes(TestChecks& checks, const TileStages& stages, double whole)
+{
+  double sum = 0.0;
+  for (int stage = 0; stage < TileStages::Count; ++stage)
+  {
+    std::cout << TileStages::GetName(stage) << " " << 1e6 * stages.Seconds[stage] << " us\n";
+    const bool mayBeNone = stage == TileStages::Repair || stage >= TileStages::Wait;
+    CHECK(stages.Seconds[stage] > 0.0 || (mayBeNone && stages.Seconds[stage] == 0.0));
+    sum += stages.Seconds[stage];
+  }
+  CHECK_AT_MOST(sum, whole);
+  CHECK(sum > 0.2 * whole);
+}
+
+// Of light and dark alike: nothing is opaque, nothing transparent.
+void CheckCounts(TestChecks& checks, TilesScene& scene, double segments)
+{
+  const TileCounts& counts = scene.Engine.GetCounts();
+  const double fragments = static_cast<double>(counts.Fragments);
+  std::cout << "fragments " << fragments << ", pieces of rays in cells by the oracle " << segments
+            << ", lanes of blocks " << counts.LanesOfBlocks << ", covered " << counts.CoveredLanes
+            << ", pieces " << counts.Pieces << ", lanes shaded " << counts.ShadedLanes << "\n";
+  CHECK(segments > 0.0);
+  CHECK_AT_MOST(std::abs(fragments - segments), Grazing * segments);
+  CHECK(counts.CoveredLanes == counts.Fragments);
+  CHECK(counts.CoveredLanes <= counts.LanesOfBlocks);
+  CHECK(counts.Pieces >= counts.Fragments);
+  CHECK(counts.Pieces <= counts.ShadedLanes);
+  // Full vectors but for the last of a queue.
+  CHECK(counts.Pieces > 0.8 * static_cast<double>(counts.ShadedLanes));
+}
+
+void CheckThreads(TestChecks& checks, TilesScene& scene, int threads)
+{
+  vtkSMPTools::Initialize(threads);
+  scene.TimesStages = true;
+  DrawTimed(checks, scene);
+  scene.LookFrom(1.0, 0.0, 2.0);
+  DrawTimed(checks, scene);
+  scene.LookFrom(0.5, 0.8, 2.2);
+  const double whole = DrawTimed(checks, scene);
+  CheckTimes(checks, scene.Engine.GetStages(), whole);
+  CheckCounts(checks, scene, static_cast<double>(scene.Oracle->GetNumberOfSegments()));
+  const std::vector<float> image = scene.Engine.GetImage();
+  scene.TimesStages = false;
+  DrawTimed(checks, scene);
+  CHECK(scene.Engine.GetImage() == image);
+  CHECK(scene.Engine.GetStages().GetSum() == 0.0);
+  CHECK(scene.Engine.GetCounts().LanesOfBlocks == 0);
+}
+}
+
+int TestTilesStages(int, char*[])
+{
+  TestChecks checks;
+  TilesScene scene(150, 140);
+  scene.SetTetrahedra(TestMeshes::Delaunay(200));
+  scene.SetSmooth();
+  scene.LookFrom(0.5, 0.8, 2.2);
+  CHECK_AT_MOST(scene.TilesError("Delaunay"), 1e-4);
+  vtkSMPTools::SetBackend("STDThread");
+  for (const int threads : { 1, 2, 3 })
+  {
+    CheckThreads(checks, scene, threads);
+  }
+  vtkSMPTools::Initialize(0);
+  return checks.Result();
+}
