@@ -94,6 +94,7 @@ double OracleFace::Interpolate(
     this->Normal.Dot(a.Cross(b)) };
   const double whole = this->Normal.Dot((b - a).Cross(c - a));
   double sum = 0.0, scalar = 0.0;
+  double least = triangle[0].Scalar, greatest = least;
   inside = 1.0;
   for (int corner = 0; corner < 3; ++corner)
   {
@@ -103,6 +104,9 @@ double OracleFace::Interpolate(
     const double clamped = std::clamp(weight, 0.0, 1.0);
     sum += clamped;
     scalar += clamped * triangle[corner].Scalar;
+    least = std::min(least, triangle[corner].Scalar);
+    greatest = std::max(greatest, triangle[corner].Scalar);
   }
-  return scalar / sum;
+  // One scalar at all corners stays what it is to the last bit: it may lie on a step.
+  return std::clamp(scalar / sum, least, greatest);
 }

@@ -71,6 +71,7 @@ bool OracleTetrahedron::Clip(const OracleRay& ray, OracleSegment& segment) const
 OracleTetrahedron::Values OracleTetrahedron::Interpolate(const OracleRay& ray, double t) const
 {
   double sum = 0.0;
+  double least = this->Planes[0].Scalar, greatest = least;
   Values values;
   for (const Plane& plane : this->Planes)
   {
@@ -80,10 +81,13 @@ OracleTetrahedron::Values OracleTetrahedron::Interpolate(const OracleRay& ray, d
     const double weight = std::clamp(height / plane.Height, 0.0, 1.0);
     sum += weight;
     values.Scalar += weight * plane.Scalar;
+    least = std::min(least, plane.Scalar);
+    greatest = std::max(greatest, plane.Scalar);
     values.Gradient = values.Gradient + plane.Gradient * weight;
     values.Color = values.Color + plane.Color * weight;
   }
-  values.Scalar = values.Scalar / sum;
+  // One scalar at all corners stays what it is to the last bit: it may lie on a step.
+  values.Scalar = std::clamp(values.Scalar / sum, least, greatest);
   values.Gradient = values.Gradient * (1.0 / sum);
   values.Color = values.Color * (1.0 / sum);
   return values;

@@ -74,6 +74,10 @@ bool OracleWarpedCell::Intersect(
   }
   t = (bc * a.Along - ac * b.Along + ab * c.Along) / sum;
   scalar = (bc * triangle[0].Scalar - ac * triangle[1].Scalar + ab * triangle[2].Scalar) / sum;
+  // One scalar at all corners stays what it is to the last bit: it may lie on a step.
+  const auto [least, greatest] =
+    std::minmax({ triangle[0].Scalar, triangle[1].Scalar, triangle[2].Scalar });
+  scalar = std::clamp(scalar, least, greatest);
   return true;
 }
 
