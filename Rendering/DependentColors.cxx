@@ -42,7 +42,7 @@ void DependentColors::ReadScalar(const PreparedVolume& prepared, VolumePropertyR
     this->Values[4 * i] = field.Values[i];
   }
   std::vector<std::string> named;
-  reader.Read(field.Normal, field.Range, false, this->Function, named);
+  reader.Read(field.Normal, field.Range, this->OnePerCell, false, this->Function, named);
 }
 
 //------------------------------------------------------------------------------

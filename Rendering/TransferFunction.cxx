@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace
 {
@@ -14,6 +15,9 @@ constexpr int MaximumDepth = 60;
 
 // In units of the range: no scalar lies farther out.
 constexpr double Beyond = 1e30;
+
+// What a step at the low end is beside by: a float's digits count from zero there.
+constexpr float LeastPosition = 1e-24f;
 
 // Times any length that a mesh can have, it stays within the range of a float.
 constexpr double MaximumExtinction = 1e18;
@@ -42,7 +46,7 @@ TransferFunction::Sample Mix(
 
 //------------------------------------------------------------------------------
 void TransferFunction::Build(std::vector<double> candidates, const Evaluator& evaluate,
-  const double range[2], const double extremes[2], double unitDistance)
+  const double range[2], const double extremes[2], double unitDistance, Steps steps)
 {
   const double low = range[0];
   const double high = range[1];
@@ -59,42 +63,62 @@ void TransferFunction::Build(std::vector<double> candidates, const Evaluator& ev
   const double step = std::max(1e-11 * (high - low), 1e-15 * magnitude);
   this->Low = low;
   this->Width = high > low ? high - low : 1.0;
-  const Sample below = evaluate(extremes[0]);
-  const Sample above = evaluate(extremes[1]);
-  this->Nodes = { { low - Beyond * this->Width, below }, { low, below } };
+  this->Nodes = { { low - Beyond * this->Width, evaluate(extremes[0]) } };
   for (size_t i = 0; i < candidates.size(); ++i)
   {
-    this->AppendJoint(candidates[i], step, i == 0, i + 1 == candidates.size(), evaluate);
+    const double at = candidates[i];
+    const bool isFirst = i == 0, isLast = i + 1 == candidates.size();
+    this->AppendJoint({ at, evaluate(isFirst ? extremes[0] : at - step), evaluate(at),
+                        evaluate(isLast ? extremes[1] : at + step) },
+      steps, evaluate);
   }
-  this->Nodes.push_back({ high, above });
-  this->Nodes.push_back({ high + Beyond * this->Width, above });
+  this->Nodes.push_back({ high + Beyond * this->Width, evaluate(extremes[1]) });
   this->Store(unitDistance);
   this->CountVisible();
 }
 
 //------------------------------------------------------------------------------
-void TransferFunction::AppendJoint(
-  double scalar, double step, bool first, bool last, const Evaluator& evaluate)
+void TransferFunction::AppendJoint(const Joint& joint, Steps steps, const Evaluator& evaluate)
 {
   // A limit that is no step is the value itself: beside the end of a ramp it is not quite 0.
-  const Sample here = evaluate(scalar);
-  const auto limit = [&](double beside)
+  Joint exact = joint;
+  for (Sample* limit : { &exact.Below, &exact.Above })
   {
-    const Sample value = evaluate(beside);
-    return Difference(value, here) > Tolerance ? value : here;
-  };
-  const Node below{ scalar, limit(first ? scalar : scalar - step) };
-  const Node above{ scalar, limit(last ? scalar : scalar + step) };
-  if (!first)
+    *limit = Difference(*limit, joint.Here) > Tolerance ? *limit : joint.Here;
+  }
+  // Beyond the first one the function is constant.
+  if (this->Nodes.size() > 1)
   {
     const Node previous = this->Nodes.back();
-    this->Refine(previous, below, 0, evaluate);
-    this->Nodes.push_back(below);
+    this->Refine(previous, { joint.Scalar, exact.Below }, 0, evaluate);
   }
-  if (first || (!last && Difference(below.Value, above.Value) > Tolerance))
+  if (Difference(exact.Below, exact.Here) > 0.0 || Difference(exact.Here, exact.Above) > 0.0)
   {
-    this->Nodes.push_back(above);
+    this->AppendStep(exact, steps);
   }
+  else
+  {
+    this->Nodes.push_back({ joint.Scalar, joint.Here });
+  }
+}
+
+//------------------------------------------------------------------------------
+void TransferFunction::AppendStep(const Joint& joint, Steps steps)
+{
+  if (steps == Steps::OfCells)
+  {
+    this->Nodes.push_back({ joint.Scalar, joint.Below, -StepWidth });
+    this->Nodes.push_back({ joint.Scalar, joint.Here, -StepWidth });
+    this->Nodes.push_back({ joint.Scalar, joint.Here, StepWidth });
+    this->Nodes.push_back({ joint.Scalar, joint.Above, StepWidth });
+    return;
+  }
+  const bool isAbove =
+    std::abs(joint.Here[3] - joint.Above[3]) < std::abs(joint.Here[3] - joint.Below[3]) ||
+    Difference(joint.Here, joint.Above) == 0.0;
+  const float beside = isAbove ? 0.0f : std::numeric_limits<float>::epsilon();
+  this->Nodes.push_back({ joint.Scalar, joint.Below, beside });
+  this->Nodes.push_back({ joint.Scalar, joint.Above, beside });
 }
 
 //------------------------------------------------------------------------------
@@ -125,9 +149,14 @@ void TransferFunction::Store(double unitDistance)
 {
   this->Positions.clear();
   this->Values.clear();
+  float previous = std::numeric_limits<float>::lowest();
   for (const Node& node : this->Nodes)
   {
-    this->Positions.push_back(static_cast<float>((node.Scalar - this->Low) / this->Width));
+    const auto position = static_cast<float>((node.Scalar - this->Low) / this->Width);
+    const float beside = node.Beside * std::max(position, LeastPosition);
+    // Beside a step there may be another node.
+    this->Positions.push_back(std::max(position + beside, previous));
+    previous = this->Positions.back();
     for (int i = 0; i < 3; ++i)
     {
       this->Values.push_back(static_cast<float>(node.Value[i]));

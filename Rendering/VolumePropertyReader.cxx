@@ -129,14 +129,15 @@ std::array<double, 2> VolumePropertyReader::FindLimits() const
 }
 
 //------------------------------------------------------------------------------
-void VolumePropertyReader::Read(const double range[2], const double extremes[2],
+void VolumePropertyReader::Read(const double range[2], const double extremes[2], bool onePerCell,
   bool isOpacityPerLength, TransferFunction& function, std::vector<std::string>& problems)
 {
   this->CheckFunctions(problems);
   const double distance = isOpacityPerLength ? this->CheckUnitDistance(problems) : 1.0;
   function.Build(
     this->FindCandidates(), [this](double scalar) { return this->Evaluate(scalar); }, range,
-    extremes, distance);
+    extremes, distance,
+    onePerCell ? TransferFunction::Steps::OfCells : TransferFunction::Steps::OfPoints);
 }
 
 //------------------------------------------------------------------------------

@@ -43,12 +43,13 @@ public:
   /// Between these scalars the functions change; beyond they are constant.
   std::array<double, 2> FindLimits() const;
 
-  /// Builds `function` for scalars normalised over `range`, `extremes` the least and greatest.
+  /// Builds `function` for scalars normalised over `range`, `extremes` the least and greatest,
+  /// `onePerCell` constant in each cell.
   /// Without `isOpacityPerLength` its extinction is the scalar opacity itself.
   /// Problems with the property (a function without points, a unit distance of zero) are appended
   /// to `problems`, one sentence each, with what was drawn instead.
-  void Read(const double range[2], const double extremes[2], bool isOpacityPerLength,
-    TransferFunction& function, std::vector<std::string>& problems);
+  void Read(const double range[2], const double extremes[2], bool onePerCell,
+    bool isOpacityPerLength, TransferFunction& function, std::vector<std::string>& problems);
 
   /// What the property asks for and is not drawn; `canShade`: shading and gradient
   /// opacity are; `canDepend`: dependent components are.

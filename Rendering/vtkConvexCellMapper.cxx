@@ -186,7 +186,8 @@ void vtkConvexCellMapper::PrepareTransferFunction(CellProjectionFrame& frame)
     return;
   }
   std::vector<std::string> problems;
-  reader.Read(prepared.Scalars.Normal, prepared.Scalars.Range, this->IsOpacityPerLength(),
+  const ScalarField& scalars = prepared.Scalars;
+  reader.Read(scalars.Normal, scalars.Range, scalars.OnePerCell, this->IsOpacityPerLength(),
     prepared.Function, problems);
   for (const std::string& text : problems)
   {

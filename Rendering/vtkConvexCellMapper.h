@@ -43,6 +43,12 @@ struct PreparedVolume;
  * Points of the property's functions that are not finite are left out, opacities below 0 count as
  * 0; above 1 they are as opaque as they say, but for the pixel's own opacity of a maximum.
  *
+ * A cell scalar exactly on a step of a function has the value that the function itself answers there
+ * (GetValue, GetColor), which VTK's versions take from different sides; one within 4e-6 of the
+ * distance from the low end of the range counts as on the step. Cells whose points all lie on a step
+ * are drawn with one of its sides, which is not guaranteed to be VTK's, and tables are no finer than
+ * their entries.
+ *
  * Arrays are taken as they are at Render: call Modified() on one that was written in place.
  */
 class VTKCELLPROJECTION_EXPORT vtkConvexCellMapper : public vtkUnstructuredGridVolumeMapper

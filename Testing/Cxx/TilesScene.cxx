@@ -96,7 +96,8 @@ bool TilesScene::DrawTiles()
                                             : this->Grid->GetPointData()->GetScalars();
   this->Field.Build(scalars, 0, this->CellScalars, reader.FindLimits().data());
   std::vector<std::string> problems;
-  reader.Read(this->Field.Normal, this->Field.Range, true, this->Function, problems);
+  reader.Read(
+    this->Field.Normal, this->Field.Range, this->CellScalars, true, this->Function, problems);
   this->Selection.Classify(this->Field, this->Function);
   std::vector<unsigned char> drawn(static_cast<size_t>(this->Grid->GetNumberOfCells()));
   for (size_t cell = 0; cell < drawn.size(); ++cell)
