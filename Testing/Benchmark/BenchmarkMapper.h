@@ -18,6 +18,8 @@ struct BenchmarkMapper
   std::string Engine;
   std::function<vtkSmartPointer<vtkUnstructuredGridVolumeMapper>()> Make;
   bool IsLit = false;
+  /// The power of the number of cells that a frame's time grows by, at most.
+  double Growth = 1.0;
 
   /// A window of its own with a new mapper.
   std::unique_ptr<BenchmarkScene> Show(vtkUnstructuredGrid* grid, int size, bool spiky) const;

@@ -1,5 +1,6 @@
 #include "ScalingBenchmark.h"
 
+#include "BenchmarkMachine.h"
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
 #include "ScalingRow.h"
@@ -14,22 +15,23 @@
 #include "vtkUnstructuredGrid.h"
 #include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVariant.h"
-#include "vtkVersion.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace
 {
 using ScalingBenchmark::Plan;
 
-// From here on the oracle draws the smaller image.
-constexpr long long FewCells = 2000000;
 constexpr int LeastFrames = 2;
+// A first frame may take longer than another by its inverse.
+constexpr double FirstFrameShare = 2.0 / 3.0;
 
 struct Case
 {
@@ -42,8 +44,9 @@ struct Case
 class Scaling
 {
 public:
-  Scaling(const Plan& plan, int frames, const std::string& folder)
+  Scaling(const Plan& plan, const BenchmarkMachine& machine, int frames, const std::string& folder)
     : With(plan)
+    , Machine(machine)
     , Frames(frames)
   {
     if (!folder.empty())
@@ -62,7 +65,7 @@ private:
   using Scene = std::unique_ptr<BenchmarkScene>;
   void TakeLattice(int cubes);
   std::vector<ScalingRow> Measure(const Case& what, std::vector<BenchmarkMapper> mappers);
-  bool IsLeftOut(const ScalingRow& row);
+  bool IsLeftOut(const ScalingRow& row, double growth);
   ScalingRow Begin(const Case& what, const BenchmarkMapper& mapper) const;
   void TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const;
   void MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row);
@@ -70,11 +73,14 @@ private:
   void PrintStages() const;
 
   const Plan With;
+  const BenchmarkMachine Machine;
   const int Frames;
   std::ofstream CSV;
   vtkSmartPointer<vtkUnstructuredGrid> Lattice;
   int CubesOfLattice = 0;
   std::map<std::pair<int, bool>, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
+  // By mesh, function, method and threads.
+  std::map<std::tuple<int, bool, std::string, int>, BenchmarkError> Errors;
   // By method and function.
   std::map<std::pair<std::string, bool>, ScalingRow> Last;
   std::vector<ScalingRow> Timed;
@@ -103,21 +109,24 @@ ScalingRow Scaling::Begin(const Case& what, const BenchmarkMapper& mapper) const
   row.IsSpiky = what.IsSpiky;
   row.Method = mapper.Name;
   row.Engine = mapper.Engine;
-  row.ErrorSize = row.Cells > FewCells ? this->With.SmallErrorSize : this->With.ErrorSize;
+  const double pixels = this->With.OracleLooks / static_cast<double>(row.Cells);
+  row.ErrorSize = std::min(this->With.ErrorSize, 8 * static_cast<int>(std::sqrt(pixels) / 8.0));
   return row;
 }
 
 //------------------------------------------------------------------------------
-bool Scaling::IsLeftOut(const ScalingRow& row)
+bool Scaling::IsLeftOut(const ScalingRow& row, double growth)
 {
-  const auto last = this->Last.find({ row.Method, row.IsSpiky });
-  if (last == this->Last.end())
+  const auto found = this->Last.find({ row.Method, row.IsSpiky });
+  if (found == this->Last.end())
   {
     return false;
   }
-  const double cells = static_cast<double>(row.Cells) / static_cast<double>(last->second.Cells);
-  const double edges = static_cast<double>(row.Size) / last->second.Size;
-  const double seconds = last->second.GetMedian() * cells * edges * edges;
+  const ScalingRow& last = found->second;
+  const double cells = static_cast<double>(row.Cells) / static_cast<double>(last.Cells);
+  const double edges = static_cast<double>(row.Size) / last.Size;
+  const double seconds =
+    std::max(last.GetMedian(), FirstFrameShare * last.First) * std::pow(cells, growth) * edges * edges;
   if (seconds > this->With.SecondsPerFrame)
   {
     std::printf("%10lld %5d %3d %-6s %-24s left out: a frame may take %.0f s\n", row.Cells, row.Size,
@@ -147,6 +156,14 @@ void Scaling::TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& ro
 //------------------------------------------------------------------------------
 void Scaling::MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row)
 {
+  // The image is of one size, whatever the row's.
+  const auto [error, isNew] =
+    this->Errors.try_emplace({ what.Cubes, what.IsSpiky, mapper.Name, row.Threads });
+  if (!isNew)
+  {
+    row.Error = error->second;
+    return;
+  }
   auto& oracle = this->Oracles[{ what.Cubes, what.IsSpiky }];
   if (!oracle)
   {
@@ -155,6 +172,7 @@ void Scaling::MeasureError(const Case& what, const BenchmarkMapper& mapper, Scal
   row.Error = BenchmarkError::Measure(mapper, this->Lattice, what.IsSpiky, row.ErrorSize, oracle);
   // Its image serves the rows to come, without the mesh.
   oracle->SetInputData(nullptr);
+  error->second = row.Error;
 }
 
 //------------------------------------------------------------------------------
@@ -163,7 +181,7 @@ std::vector<ScalingRow> Scaling::Measure(const Case& what, std::vector<Benchmark
   this->TakeLattice(what.Cubes);
   mappers.erase(std::remove_if(mappers.begin(), mappers.end(),
                   [&](const BenchmarkMapper& mapper)
-                  { return this->IsLeftOut(this->Begin(what, mapper)); }),
+                  { return this->IsLeftOut(this->Begin(what, mapper), mapper.Growth); }),
     mappers.end());
   std::vector<ScalingRow> rows;
   std::vector<Scene> scenes;
@@ -200,7 +218,7 @@ void Scaling::Report(const std::vector<ScalingRow>& rows)
     row.Print();
     if (this->CSV.is_open())
     {
-      row.Write(this->CSV);
+      row.Write(this->CSV, this->Machine);
     }
     this->Last[{ row.Method, row.IsSpiky }] = row;
     if (row.Stages.IsMeasured())
@@ -270,30 +288,13 @@ void Scaling::PrintStages() const
   }
 }
 
-// The GL's own name of what draws.
-std::string FindRenderer()
+void PrintHeading(const BenchmarkMachine& machine, const Plan& plan, int frames)
 {
-  vtkNew<vtkRenderWindow> window;
-  window->SetOffScreenRendering(1);
-  window->Render();
-  const std::string all = window->ReportCapabilities();
-  const std::string key = "OpenGL renderer string:";
-  const std::size_t at = all.find(key);
-  return at == std::string::npos
-    ? "unknown"
-    : all.substr(at + key.size(), all.find('\n', at) - at - key.size());
-}
-
-void PrintHeading(const Plan& plan, int frames)
-{
-  std::printf("\nScaling of jittered lattices of tetrahedra: %s; %d threads by vtkSMPTools (%s); VTK %s\n",
-    FindRenderer().c_str(), vtkSMPTools::GetEstimatedNumberOfThreads(), vtkSMPTools::GetBackend(),
-    vtkVersion::GetVTKVersion());
-  std::printf("up to %d frames, a new eye each; errors at %d x %d pixels, above %lld tetrahedra at %d x %d, "
-              "of VTK's mappers in 8 bits without alpha; a mapper is left out where a frame may take more than "
-              "%.0f s\n",
-    frames, plan.ErrorSize, plan.ErrorSize, FewCells, plan.SmallErrorSize, plan.SmallErrorSize,
-    plan.SecondsPerFrame);
+  std::printf("\nScaling of jittered lattices of tetrahedra; %s\n", machine.Describe().c_str());
+  std::printf("up to %d frames, a new eye each; errors at %d x %d pixels, where the oracle "
+              "would look at more than %.1e cells in all at fewer; of VTK's mappers in 8 bits without alpha; a mapper is "
+              "left out where a frame may take more than %.0f s\n",
+    frames, plan.ErrorSize, plan.ErrorSize, plan.OracleLooks, plan.SecondsPerFrame);
   ThreadHandOver::Print();
 }
 }
@@ -301,20 +302,21 @@ void PrintHeading(const Plan& plan, int frames)
 //------------------------------------------------------------------------------
 ScalingBenchmark::Plan ScalingBenchmark::Full()
 {
-  return { { 15, 30, 60, 126 }, { 256, 512, 1024, 2048 }, 30, 60, 512, 96, 32, 10.0, 5.0 };
+  return { { 15, 30, 60, 126 }, { 256, 512, 1024, 2048 }, 30, 60, 512, 96, 7e9, 10.0, 3.0 };
 }
 
 //------------------------------------------------------------------------------
 ScalingBenchmark::Plan ScalingBenchmark::Tiny()
 {
-  return { { 3, 5 }, { 32, 64 }, 3, 5, 64, 32, 32, 10.0, 1.0 };
+  return { { 4 }, { 32, 64 }, 4, 4, 64, 32, 7e9, 10.0, 1.0 };
 }
 
 //------------------------------------------------------------------------------
 void ScalingBenchmark::Run(const Plan& plan, int frames, const std::string& folder)
 {
-  PrintHeading(plan, frames);
-  Scaling scaling(plan, frames, folder);
+  const BenchmarkMachine machine = BenchmarkMachine::Find();
+  PrintHeading(machine, plan, frames);
+  Scaling scaling(plan, machine, frames, folder);
   scaling.CompareCells();
   scaling.ComparePixels();
   scaling.CompareThreads();

@@ -18,11 +18,11 @@ struct Plan
   int CubesOfThreads;
   /// Of the rows for cells and threads.
   int Size;
-  /// The oracle looks at every cell for every pixel: a small image of the same view, smaller where there are
-  /// more than FewCells.
+  /// The oracle looks at every cell for every pixel: a small image of the same view, and smaller than that
+  /// where it would look more than OracleLooks times.
   int ErrorSize;
-  int SmallErrorSize;
-  /// What a frame of a mapper may take, by the last row: where it takes longer the mapper is left out.
+  double OracleLooks;
+  /// What a frame of a mapper may take, foreseen from its row before: where it takes longer the mapper is left out.
   double SecondsPerFrame;
   /// Slow mappers have two frames, or as many as this allows.
   double SecondsPerRow;

@@ -1,5 +1,6 @@
 #include "ScalingRow.h"
 
+#include "BenchmarkMachine.h"
 #include "BenchmarkScene.h"
 
 #include <algorithm>
@@ -52,12 +53,12 @@ void ScalingRow::WriteHeader(std::ostream& stream)
   }
   stream << ",rest_ns,fragments,fragments_per_s,cells_in_tiles,cover_lane_use,shade_lane_use,"
             "mesh_bytes_per_cell,frame_bytes_per_cell,repaired_pixels,error_size,rmse,p999,maximum,"
-            "share_above_half_level"
+            "share_above_half_level,renderer,processor,smp_backend,vtk"
          << std::endl;
 }
 
 //------------------------------------------------------------------------------
-void ScalingRow::Write(std::ostream& stream) const
+void ScalingRow::Write(std::ostream& stream, const BenchmarkMachine& machine) const
 {
   const double median = this->GetMedian();
   const double cells = static_cast<double>(this->Cells);
@@ -85,7 +86,8 @@ void ScalingRow::Write(std::ostream& stream) const
     columns.push_back(stages.IsMeasured() ? Number(value, "%.6g") : "");
   }
   for (const std::string& value : { std::to_string(this->ErrorSize), Number(this->Error.RootMeanSquare),
-         Number(this->Error.Percentile), Number(this->Error.Maximum), Number(this->Error.Share) })
+         Number(this->Error.Percentile), Number(this->Error.Maximum), Number(this->Error.Share),
+         '"' + machine.Renderer + '"', '"' + machine.Processor + '"', machine.Backend, machine.VTK })
   {
     columns.push_back(value);
   }

@@ -8,6 +8,8 @@
 #include <string>
 #include <vector>
 
+struct BenchmarkMachine;
+
 /// One line of the benchmark's CSV: what a mapper takes for a mesh, an image and a number of threads, and
 /// what is wrong in its image.
 ///
@@ -32,6 +34,7 @@
 ///     repaired_pixels
 ///     error_size       width and height of the image that is held against the oracle
 ///     rmse, p999, maximum, share_above_half_level    as in the report
+///     renderer, processor, smp_backend, vtk          what the figures are of
 struct ScalingRow
 {
   std::string Sweep;
@@ -53,7 +56,7 @@ struct ScalingRow
   double GetNanosecondsPerCell(double seconds) const;
 
   static void WriteHeader(std::ostream& stream);
-  void Write(std::ostream& stream) const;
+  void Write(std::ostream& stream, const BenchmarkMachine& machine) const;
   static void PrintHeader();
   void Print() const;
   static void PrintStagesHeader();

@@ -13,7 +13,7 @@ COLUMNS = ("sweep", "cells", "width", "height", "threads", "transfer", "method",
            "first_ms", "prepare_ms", "mcells_per_s", "ratio_to_vtk", "timed_ms") + STAGES + (
                "rest_ns", "fragments", "fragments_per_s", "cells_in_tiles", "cover_lane_use", "shade_lane_use",
                "mesh_bytes_per_cell", "frame_bytes_per_cell", "repaired_pixels", "error_size", "rmse", "p999",
-               "maximum", "share_above_half_level")
+               "maximum", "share_above_half_level", "renderer", "processor", "smp_backend", "vtk")
 BOUNDS = {"ours, Tiles": 1e-4, "ours, Raster": 1e-4, "VTK projected tetrahedra": 1.0, "VTK Bunyk": 1.0, "VTK ZSweep": 1.0}
 
 
@@ -22,7 +22,7 @@ def check(row):
     assert row["frames"] == "2" and float(row["first_ms"]) > 0.0, row
     assert abs(float(row["mcells_per_s"]) * median / (cells / 1000.0) - 1.0) < 0.01, row
     assert 0.0 < float(row["rmse"]) <= float(row["maximum"]) < BOUNDS[row["method"]], row
-    assert row["error_size"] == "32", row
+    assert row["error_size"] == "32" and row["renderer"] and row["processor"] and row["vtk"], row
     if row["method"] == "ours, Tiles":
         check_stages(row, cells, median)
     else:
@@ -55,7 +55,7 @@ with tempfile.TemporaryDirectory() as name:
         check(row)
     by_cells = [row for row in rows if row["sweep"] == "cells"]
     assert {(row["method"], row["cells"]) for row in by_cells if row["transfer"] == "smooth"} == {
-        (method, cells) for method in BOUNDS for cells in ("162", "750")}, by_cells
+        (method, cells) for method in BOUNDS for cells in ("384",)}, by_cells
     assert {row["width"] for row in rows if row["sweep"] == "pixels"} == {"32", "64"}
     assert {row["threads"] for row in rows if row["sweep"] == "threads"} >= {"1"}
     # As many pieces of rays for four times the pixels, about.
@@ -65,6 +65,13 @@ with tempfile.TemporaryDirectory() as name:
 
     drawn = subprocess.run([sys.executable, ROOT / "Testing" / "Benchmark" / "scaling.py", folder], check=True, text=True,
                            capture_output=True)
-    assert drawn.stdout.split() == [str(folder / f"{sweep}.png") for sweep in ("cells", "pixels", "threads")], drawn.stdout
-    for sweep in ("cells", "pixels", "threads"):
-        assert (folder / f"{sweep}.png").stat().st_size > 10000
+    names = ("cells.png", "pixels.png", "threads.png", "scaling.md")
+    assert drawn.stdout.split() == [str(folder / name) for name in names], drawn.stdout
+    for name in names[:3]:
+        assert (folder / name).stat().st_size > 10000
+    # A line of times and one of stages for each row of Tiles.
+    tables = (folder / "scaling.md").read_text()
+    for row in rows:
+        if row["method"] == "ours, Tiles":
+            assert f"{float(row['maximum']):.1e} (32) |" in tables, row
+            assert f"| {float(row['cover_lane_use']):.2f} | {float(row['shade_lane_use']):.2f} |" in tables, row
