@@ -114,9 +114,9 @@ private:
     {
       const FragmentEnds ends(q, at, scale, offset);
       EmissionPieces p;
-      p.Length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
-      p.First = ends.First;
-      p.Last = ends.Last;
+      p.Length = hn::Mul(ends.Depth(), this->Lengths.At(hn::Load(di, q.Pixel + at)));
+      p.First = ends.First(q.ScalarIn + at);
+      p.Last = ends.Last(q.ScalarOut + at);
       p.Piece = PieceOf(this->Values, this->Table, p.First);
       p.Fragment = Ramp(di, at);
       ShadeVector color[4];

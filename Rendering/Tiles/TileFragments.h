@@ -67,6 +67,16 @@ struct TileFragments
   bool CountsLanes = false;
   long long LanesOfBlocks = 0;
 
+  /** Repeats the last fragment until a vector is full. */
+  void FillLastVector()
+  {
+    for (float* values : { this->Entry, this->Extent, this->ScalarIn, this->ScalarOut })
+    {
+      std::fill_n(values + this->Count, Vector, values[std::max(this->Count - 1, 0)]);
+    }
+    std::fill_n(this->Pixel + this->Count, Vector, this->Pixel[std::max(this->Count - 1, 0)]);
+  }
+
 private:
   static constexpr int Vector = 16;
   int Runs = 0;

@@ -272,10 +272,10 @@ private:
     const auto perWeight = hn::Set(d, static_cast<float>(-1.0 / this->Task.View->WeightOffset));
     const FragmentEnds ends(q, at, scale, offset);
     p.Pixel = hn::Load(di, q.Pixel + at);
-    p.DepthRise = ends.Depth;
+    p.DepthRise = ends.Depth();
     p.Depth = hn::Mul(hn::Mul(ends.Entry, perWeight), hn::Mul(ends.WeightOut, ends.Inverse));
-    p.First = ends.First;
-    p.Last = ends.Last;
+    p.First = ends.First(q.ScalarIn + at);
+    p.Last = ends.Last(q.ScalarOut + at);
     p.Through = hn::Set(d, 1.0f);
     p.Piece = PieceOf(this->Values, this->Transfer, p.First);
     p.Fragment = Ramp(di, at);

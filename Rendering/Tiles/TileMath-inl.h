@@ -63,6 +63,32 @@ HWY_INLINE Vector AbsorptionMean(D d, Vector depth, Vector lean)
   const auto bend = hn::MulAdd(hn::MulAdd(third, depth, second), depth, first);
   return hn::MulAdd(bend, depth, hn::MulAdd(lean, hn::Set(d, 1.0f / 6.0f), hn::Set(d, 0.5f)));
 }
+
+/// The greatest optical depth of a piece that is thin.
+constexpr float DeepestThin = 0.25f;
+
+/// What a thin piece absorbs whose extinction changes linearly. `bend`: half of what its extinction
+/// is greater by at its back than at its front, times its length.
+template <class Vector>
+struct ThinAbsorption
+{
+  /// Alpha = 1 - exp(-depth), relative error below 4e-7. Moment: that times where it is absorbed in
+  /// the mean, error of the place below 3e-5.
+  Vector Alpha, Moment;
+
+  template <class D>
+  HWY_INLINE ThinAbsorption(D d, Vector depth, Vector bend)
+  {
+    auto sum = hn::MulAdd(depth, hn::Set(d, -0.03765174f), hn::Set(d, 0.16603504f));
+    sum = hn::MulAdd(sum, depth, hn::Set(d, -0.49996795f));
+    const auto perDepth = hn::MulAdd(sum, depth, hn::Set(d, 0.99999979f));
+    this->Alpha = hn::Mul(perDepth, depth);
+    const auto even = hn::MulAdd(depth, hn::Set(d, -0.083233634f), hn::Set(d, 0.5f));
+    const auto odd = hn::MulAdd(bend, hn::Set(d, 0.016598028f),
+      hn::MulAdd(depth, hn::Set(d, -0.00053190661f), hn::Set(d, 0.16668927f)));
+    this->Moment = hn::MulAdd(this->Alpha, even, hn::Mul(hn::Mul(perDepth, bend), odd));
+  }
+};
 }
 }
 HWY_AFTER_NAMESPACE();

@@ -131,21 +131,30 @@ HWY_INLINE NodeCut FindNode(const LookUp& values, const Table& table, ShadeIndex
 /// A vector of fragments in depth and scalar, which are not linear on the screen.
 struct FragmentEnds
 {
-  ShadeVector Entry, WeightOut, Inverse; // Inverse: of both weights' product
-  ShadeVector Depth, First, Last;        // Depth: from entry to exit
+  ShadeVector Entry, Extent, WeightIn, WeightOut;
+  ShadeVector Inverse; // of both weights' product
 
   HWY_INLINE FragmentEnds(const TileFragments& q, int at, ShadeVector scale, ShadeVector offset)
   {
     const ShadeFloat d;
     this->Entry = hn::Load(d, q.Entry + at);
-    const auto extent = hn::Load(d, q.Extent + at);
-    const auto weightIn = hn::MulAdd(scale, this->Entry, offset);
-    this->WeightOut = hn::NegMulAdd(scale, extent, weightIn);
-    this->Inverse = Reciprocal(d, hn::Mul(weightIn, this->WeightOut));
-    this->Depth = hn::Mul(extent, this->Inverse);
-    this->First =
-      hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), this->WeightOut), this->Inverse);
-    this->Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), weightIn), this->Inverse);
+    this->Extent = hn::Load(d, q.Extent + at);
+    this->WeightIn = hn::MulAdd(scale, this->Entry, offset);
+    this->WeightOut = hn::NegMulAdd(scale, this->Extent, this->WeightIn);
+    this->Inverse = hn::Div(hn::Set(d, 1.0f), hn::Mul(this->WeightIn, this->WeightOut));
+  }
+
+  /// From entry to exit.
+  HWY_INLINE ShadeVector Depth() const { return hn::Mul(this->Extent, this->Inverse); }
+  HWY_INLINE ShadeVector First(const float* scalarIn) const
+  {
+    const auto weighted = hn::Load(ShadeFloat(), scalarIn);
+    return hn::Mul(hn::Mul(weighted, this->WeightOut), this->Inverse);
+  }
+  HWY_INLINE ShadeVector Last(const float* scalarOut) const
+  {
+    const auto weighted = hn::Load(ShadeFloat(), scalarOut);
+    return hn::Mul(hn::Mul(weighted, this->WeightIn), this->Inverse);
   }
 };
 

@@ -19,6 +19,7 @@
 #include "TileMath-inl.h"
 #include "TilePieces-inl.h"
 #include "TileTask.h"
+#include "TileThinPieces-inl.h"
 #include "TileTransfer.h"
 #include "TileView.h"
 
@@ -100,6 +101,8 @@ public:
   }
 
 private:
+  static constexpr int Batch = 8;
+
   /// The share of a piece after which its optical depth reaches 1.
   HWY_INLINE ShadeVector ShareOfDepthOne(
     ShadeVector front, ShadeVector back, ShadeVector length) const
@@ -203,31 +206,92 @@ private:
     rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
   }
 
-  HWY_INLINE void FindFirstPiece(const TileFragments& q, int at, ShadePieces& p) const
+  HWY_INLINE void FindCourse(const TileFragments& q, int at, ShadeCourse& course) const
   {
     const ShadeFloat d;
     const ShadeInt di;
     const FragmentEnds ends(
       q, at, hn::Set(d, this->WeightScale), hn::Set(d, this->WeightOffset));
-    p.Length = hn::Mul(ends.Depth, this->Lengths.At(hn::Load(di, q.Pixel + at)));
-    p.First = ends.First;
-    p.Last = ends.Last;
-    p.Through = hn::Set(d, 1.0f);
-    p.Piece = PieceOf(this->Values, this->Transfer, p.First);
-    p.Fragment = Ramp(di, at);
+    course.Length = hn::Mul(ends.Depth(), this->Lengths.At(hn::Load(di, q.Pixel + at)));
+    course.First = ends.First(q.ScalarIn + at);
+    course.Last = ends.Last(q.ScalarOut + at);
   }
 
+  /// Vectors of thin fragments in one piece are coloured at once, the others by parts.
   void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
-    constexpr int batch = 8;
-    ShadeInSteps<ShadePieces, batch>(
-      q, [&](int at, ShadePieces& p) { this->FindFirstPiece(q, at, p); },
-      [&](ShadeMask used, ShadePieces& p)
+    const ShadeFloat d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    q.FillLastVector();
+    ThinPiece thin(this->Transfer);
+    bool areThin = true;
+    ShadeCourse courses[Batch];
+    for (int begin = 0; begin < q.Count; begin += Batch * lanes)
+    {
+      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
+      for (int i = 0; i < count; ++i)
       {
-        this->CutAtNode(used, p);
-        this->LimitDepth(used, p);
-      },
-      [](ShadePieces&) {}, [&](const ShadePieces& p, ShadeVector (&color)[4]) { this->ColorPart(p, rest, color); });
+        this->FindCourse(q, begin + i * lanes, courses[i]);
+      }
+      int others[Batch], left = 0;
+      for (int i = 0; i < count; ++i)
+      {
+        if (!areThin || !ColorThin(courses[i], thin, begin + i * lanes, q))
+        {
+          others[left++] = i;
+        }
+      }
+      // Where few are thin, the next ones are not tried.
+      areThin = areThin && 2 * left <= count;
+      this->ShadeByParts(courses, others, left, begin, q, rest);
+    }
+  }
+
+  /// Colours a vector if it is thin and in one piece.
+  static HWY_INLINE bool ColorThin(
+    const ShadeCourse& course, ThinPiece& thin, int at, TileFragments& q)
+  {
+    ShadeVector color[4];
+    if (!thin.Color(course, color) &&
+      !(thin.TakePieceOf(hn::GetLane(course.First)) && thin.Color(course, color)))
+    {
+      return false;
+    }
+    StoreColors(color, at, q);
+    return true;
+  }
+
+  /// Shades the first parts of the `count` courses that are named, step after step.
+  void ShadeByParts(const ShadeCourse (&courses)[Batch], const int* named, int count, int begin,
+    TileFragments& q, TileRemainders& rest) const
+  {
+    const ShadeFloat d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    ShadePieces work[Batch];
+    for (int i = 0; i < count; ++i)
+    {
+      const int at = begin + named[i] * lanes;
+      ShadePieces& p = work[i];
+      p.First = courses[named[i]].First;
+      p.Last = courses[named[i]].Last;
+      p.Length = courses[named[i]].Length;
+      p.Through = hn::Set(d, 1.0f);
+      p.Piece = PieceOf(this->Values, this->Transfer, p.First);
+      p.Fragment = Ramp(ShadeInt(), at);
+      this->CutFirstPart(hn::FirstN(d, static_cast<std::size_t>(q.Count - at)), p);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      ShadeVector color[4];
+      this->ColorPart(work[i], rest, color);
+      StoreColors(color, begin + named[i] * lanes, q);
+    }
+  }
+
+  HWY_INLINE void CutFirstPart(ShadeMask used, ShadePieces& p) const
+  {
+    this->CutAtNode(used, p);
+    this->LimitDepth(used, p);
   }
 
   void ShadeRemainders(TileFragments& q, const TileRemainders& now, TileRemainders& next) const
@@ -249,8 +313,7 @@ private:
       p.Piece = hn::IfThenElseZero(usedInt, hn::Load(di, now.Piece + at));
       p.Fragment = hn::Load(di, now.Fragment + at);
       ShadeVector color[4];
-      this->CutAtNode(used, p);
-      this->LimitDepth(used, p);
+      this->CutFirstPart(used, p);
       this->ColorPart(p, next, color);
       for (int k = 0; k < 4; ++k)
       {

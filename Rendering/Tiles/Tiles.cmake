@@ -91,6 +91,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileShading-inl.h
   Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
+  Rendering/Tiles/TileThinPieces-inl.h
   Rendering/Tiles/TileTransfer.h
   Rendering/Tiles/TileVertices.h
   Rendering/Tiles/TileView.h

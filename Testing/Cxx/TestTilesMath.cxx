@@ -16,6 +16,8 @@ struct TilesMathErrors
   double Reciprocal = 0.0;
   double Absorption = 0.0;
   double Mean = 0.0;
+  double ThinAbsorption = 0.0;
+  double ThinMean = 0.0;
 };
 /// By quadrature: the mean place of the light absorbed along a piece.
 double MeanOfAbsorption(double depth, double lean);
@@ -29,6 +31,18 @@ namespace CellProjectionTiles
 {
 namespace HWY_NAMESPACE
 {
+void MeasureThin(float depth, float lean, TilesMathErrors& errors)
+{
+  const hn::CappedTag<float, 1> d;
+  using Vector = hn::Vec<decltype(d)>;
+  auto valueOf = [](auto vector) { return static_cast<double>(hn::GetLane(vector)); };
+  const ThinAbsorption<Vector> thin(d, hn::Set(d, depth), hn::Set(d, depth * lean));
+  const double exact = -std::expm1(-static_cast<double>(depth));
+  const double alpha = valueOf(thin.Alpha), mean = valueOf(thin.Moment) / exact;
+  errors.ThinAbsorption = std::max(errors.ThinAbsorption, std::abs(alpha / exact - 1.0));
+  errors.ThinMean = std::max(errors.ThinMean, std::abs(mean - MeanOfAbsorption(depth, lean)));
+}
+
 void MeasureErrors(TilesMathErrors& errors)
 {
   const hn::CappedTag<float, 1> d;
@@ -45,6 +59,7 @@ void MeasureErrors(TilesMathErrors& errors)
     const float lean = static_cast<float>(i % 21) / 10.0f - 1.0f;
     const double mean = valueOf(AbsorptionMean(d, hn::Set(d, share), hn::Set(d, lean)));
     errors.Mean = std::max(errors.Mean, std::abs(mean - MeanOfAbsorption(share, lean)));
+    MeasureThin(share * DeepestThin, lean, errors);
   }
 }
 }
@@ -87,10 +102,13 @@ int TestTilesMath(int, char*[])
     TilesMathErrors errors;
     HWY_DYNAMIC_DISPATCH(CellProjectionTiles::MeasureErrors)(errors);
     std::cout << hwy::TargetName(target) << ": reciprocal " << errors.Reciprocal << ", absorption "
-              << errors.Absorption << ", mean " << errors.Mean << "\n";
+              << errors.Absorption << ", mean " << errors.Mean << ", of thin pieces "
+              << errors.ThinAbsorption << " and " << errors.ThinMean << "\n";
     CHECK_AT_MOST(errors.Reciprocal, 5e-7);
     CHECK_AT_MOST(errors.Absorption, 3e-7);
     CHECK_AT_MOST(errors.Mean, 1e-5);
+    CHECK_AT_MOST(errors.ThinAbsorption, 4e-7);
+    CHECK_AT_MOST(errors.ThinMean, 3e-5);
   }
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return checks.Result();
