@@ -7,6 +7,8 @@
 
 #include "vtkSMPTools.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <iostream>
@@ -73,6 +75,44 @@ void CheckThreads(TestChecks& checks, TilesScene& scene, int threads)
   CHECK(scene.Engine.GetStages().GetSum() == 0.0);
   CHECK(scene.Engine.GetCounts().LanesOfBlocks == 0);
 }
+
+// First and last column and row that the oracle covers.
+std::array<int, 4> FindBox(vtkImageData* image)
+{
+  const int* size = image->GetDimensions();
+  std::array<int, 4> box{ { size[0], size[1], -1, -1 } };
+  for (int y = 0; y < size[1]; ++y)
+  {
+    for (int x = 0; x < size[0]; ++x)
+    {
+      if (image->GetScalarComponentAsDouble(x, y, 0, 3) > 0.0)
+      {
+        box = { { std::min(box[0], x), std::min(box[1], y), std::max(box[2], x), std::max(box[3], y) } };
+      }
+    }
+  }
+  return box;
+}
+
+// One cell in one tile: the blocks are those of its box, which may be a pixel wider on each side.
+void CheckBlocks(TestChecks& checks)
+{
+  TilesScene scene(60, 50);
+  scene.SetTetrahedra(TestMeshes::Tetrahedron());
+  scene.SetConstant(0.5);
+  scene.LookFrom(0.5, 0.8, 2.2);
+  scene.TimesStages = true;
+  CHECK_AT_MOST(scene.TilesError("tetrahedron"), 1e-4);
+  const std::array<int, 4> box = FindBox(scene.Oracle->GetImage());
+  const int width = box[2] - box[0] + 1, height = box[3] - box[1] + 1;
+  const TileCounts& counts = scene.Engine.GetCounts();
+  std::cout << "box " << width << " x " << height << ", lanes of blocks " << counts.LanesOfBlocks << "\n";
+  CHECK(width > 10 && height > 10);
+  CHECK(counts.LanesOfBlocks >= static_cast<long long>(width) * height);
+  // Blocks as square as they come waste up to three columns and rows.
+  CHECK(counts.LanesOfBlocks <= (width + 5LL) * (height + 5LL));
+  CHECK(counts.CoveredLanes == scene.Oracle->GetNumberOfSegments());
+}
 }
 
 int TestTilesStages(int, char*[])
@@ -89,5 +129,6 @@ int TestTilesStages(int, char*[])
     CheckThreads(checks, scene, threads);
   }
   vtkSMPTools::Initialize(0);
+  CheckBlocks(checks);
   return checks.Result();
 }
