@@ -10,6 +10,7 @@
 #include "vtkTable.h"
 #include "vtkVariant.h"
 
+#include <algorithm>
 #include <functional>
 
 namespace
@@ -164,6 +165,19 @@ double SecondsPrepare(TestScene& scene)
   return scene.Mapper->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
 }
 
+// The least of some frames: a machine that does something else, too, makes a frame longer alone.
+double SecondsWithoutTable(ChangingScene& scene)
+{
+  double least = 1e30;
+  for (int frame = 0; frame < 8; ++frame)
+  {
+    scene.Property->SetAmbient(0.5 + 0.01 * frame);
+    scene.Light->SetPosition(0.0, 5.0, 1.0 + frame);
+    least = std::min(least, SecondsPrepare(scene));
+  }
+  return least;
+}
+
 // A table takes long: it is built for the function alone, with its time in the statistics.
 void CheckTable(TestChecks& checks)
 {
@@ -171,11 +185,10 @@ void CheckTable(TestChecks& checks)
   scene.SetSpiky();
   scene.GetTetrahedraMapper()->SetIntegrationToTable();
   const double built = SecondsPrepare(scene);
-  scene.Property->SetAmbient(0.5);
-  scene.Light->SetPosition(0.0, 5.0, 1.0);
-  CHECK_AT_MOST(SecondsPrepare(scene), 0.2 * built);
+  const double kept = SecondsWithoutTable(scene);
+  CHECK(built > 5.0 * kept);
   scene.Opacity->AddPoint(0.33, 2.0);
-  CHECK(SecondsPrepare(scene) > 0.2 * built);
+  CHECK(SecondsPrepare(scene) > 5.0 * kept);
 }
 }
 
