@@ -151,7 +151,7 @@ std::string CellFuzz::FindFault(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-int CellFuzz::CountFailures(unsigned int first, unsigned int count, double seconds)
+int CellFuzz::CountFailures(unsigned int first, unsigned int count)
 {
-  return SeedRuns::CountFailures(first, count, seconds, ReportFailures);
+  return SeedRuns::CountFailures(first, count, ReportFailures);
 }

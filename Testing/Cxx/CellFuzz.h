@@ -28,8 +28,8 @@ Grid Single(vtkUnstructuredGrid* grid, vtkIdType cell);
 std::string Print(vtkUnstructuredGrid* grid);
 
 /// Runs the meshes of `count` seeds from `first` on; prints the seed and the cells of what fails,
-/// and returns their number. Stops after `seconds`.
-int CountFailures(unsigned int first, unsigned int count, double seconds);
+/// and returns their number.
+int CountFailures(unsigned int first, unsigned int count);
 }
 
 #endif

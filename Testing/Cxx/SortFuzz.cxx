@@ -159,7 +159,7 @@ std::string SortFuzz::Print(vtkUnstructuredGrid* grid)
 }
 
 //------------------------------------------------------------------------------
-int SortFuzz::CountFailures(unsigned int first, unsigned int count, double seconds)
+int SortFuzz::CountFailures(unsigned int first, unsigned int count)
 {
-  return SeedRuns::CountFailures(first, count, seconds, ReportFailures);
+  return SeedRuns::CountFailures(first, count, ReportFailures);
 }

@@ -24,8 +24,8 @@ Grid Minimise(vtkUnstructuredGrid* grid, const std::function<bool(vtkUnstructure
 std::string Print(vtkUnstructuredGrid* grid);
 
 /// Sorts the meshes of `count` seeds from `first` on by convexified MPVO for two eyes each; prints
-/// the seed and the smallest part of what fails, and returns their number. Stops after `seconds`.
-int CountFailures(unsigned int first, unsigned int count, double seconds);
+/// the seed and the smallest part of what fails, and returns their number.
+int CountFailures(unsigned int first, unsigned int count);
 }
 
 #endif

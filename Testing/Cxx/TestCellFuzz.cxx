@@ -6,6 +6,6 @@
 int TestCellFuzz(int, char*[])
 {
   TestChecks checks;
-  CHECK(CellFuzz::CountFailures(1, 150, 60.0) == 0);
+  CHECK(CellFuzz::CountFailures(1, 150) == 0);
   return checks.Result();
 }

@@ -12,6 +12,6 @@ int TestCellFuzzLong(int argc, char* argv[])
   const bool given = argc > 2 && argv[1][0] != '-';
   const auto first = static_cast<unsigned int>(given ? std::atoi(argv[1]) : 1);
   const auto count = static_cast<unsigned int>(given ? std::atoi(argv[2]) : 800);
-  CHECK(CellFuzz::CountFailures(first, count, 900.0) == 0);
+  CHECK(CellFuzz::CountFailures(first, count) == 0);
   return checks.Result();
 }

@@ -8,7 +8,7 @@
 int TestSortFuzz(int, char*[])
 {
   TestChecks checks;
-  CHECK(SortFuzz::CountFailures(1, 300, 60.0) == 0);
+  CHECK(SortFuzz::CountFailures(1, 300) == 0);
 
   // The search for the smallest part: here two cells that must both be there.
   auto grid = SortMeshes::Make("latticeKuhn");
