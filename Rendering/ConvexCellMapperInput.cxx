@@ -76,7 +76,10 @@ void vtkConvexCellMapper::EndPreparation(CellProjectionFrame& frame)
   {
     this->UpdateProgress(1.0);
     this->Internal->IsPreparing = false;
-    // An observer may have drawn elsewhere.
+  }
+  // Observers of the progress or of a warning may have drawn elsewhere.
+  if (!frame.Window->IsCurrent())
+  {
     frame.Window->MakeCurrent();
   }
 }

@@ -12,17 +12,6 @@
 
 #include <cmath>
 
-namespace
-{
-void MakeCurrent(vtkOpenGLRenderWindow* window)
-{
-  if (!window->IsCurrent())
-  {
-    window->MakeCurrent();
-  }
-}
-}
-
 //------------------------------------------------------------------------------
 void vtkConvexCellMapper::ChooseEngine(CellProjectionFrame& frame)
 {
@@ -85,11 +74,13 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
     frame.ImageSize[1] = internal.Coarse.GetHeight();
     frame.Box = frame.GetWidenedBox(static_cast<int>(std::ceil(distance)));
   }
-  // What watches the preparation's progress, or the abort check wakes, may draw elsewhere.
-  MakeCurrent(frame.Window);
   this->ReadOpaqueDepth(frame);
   const float* image = this->DrawTiles(frame);
-  MakeCurrent(frame.Window);
+  // What the abort check wakes may draw elsewhere.
+  if (!frame.Window->IsCurrent())
+  {
+    frame.Window->MakeCurrent();
+  }
   frame.Pixels = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
   frame.Statistics.CellsDrawn = image ? frame.Statistics.CellsDrawn : 0;
   return image != nullptr;
