@@ -119,10 +119,14 @@ void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices
     const bool positive = (mesh.Orientations[cell] > 0) == view.KeepsOrientation;
     const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(cell)];
     const int exits = positive ? group.Exits[k] : group.Entries[k];
+    const int entries = group.Exits[k] ^ group.Entries[k] ^ exits;
     const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
                        (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
-    cells.Faces[cell] =
-      static_cast<std::uint8_t>((exits & linked) | (group.Outside[k] ? TileCells::Exact : 0));
+    const bool isUnsure =
+      (exits | entries) != TileCells::AllFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
+    cells.Faces[cell] = static_cast<std::uint8_t>((exits & linked) |
+      ((entries & ~linked) != 0 ? TileCells::Entered : 0) | (isUnsure ? TileCells::Unsure : 0) |
+      (group.Outside[k] ? TileCells::Exact : 0));
     cells.Boxes[cell] = static_cast<std::uint32_t>(group.Box[k]);
   }
 }

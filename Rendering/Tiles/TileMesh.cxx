@@ -107,6 +107,39 @@ void TileMesh::FindSteps()
   {
     this->Steps[at / 4] |= static_cast<unsigned char>(this->Neighbours[at] < 0 ? 1 << at % 4 : 0);
   }
+  vtkSMPTools::For(0, this->GetNumberOfCells(),
+    [this](vtkIdType begin, vtkIdType end)
+    {
+      for (auto cell = static_cast<int>(begin); cell < static_cast<int>(end); ++cell)
+      {
+        this->Steps[cell] |= this->IsFolded(cell) ? Folded : static_cast<unsigned char>(0);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+bool TileMesh::IsFolded(int cell) const
+{
+  // Of ascending corners: the normal of faces 1 and 3 points into a cell of positive orientation.
+  auto liesAbove = [this](int which, int face)
+  { return (this->Orientations[which] > 0) == (face % 2 == 1); };
+  bool isFolded = this->Orientations[cell] == 0;
+  for (int f = 0; f < 4; ++f)
+  {
+    const int other = this->Neighbours[4 * static_cast<std::size_t>(cell) + f];
+    if (other < 0)
+    {
+      continue;
+    }
+    const int* own = &this->Corners[4 * static_cast<std::size_t>(cell)];
+    const int* corners = &this->Corners[4 * static_cast<std::size_t>(other)];
+    const auto* apex = std::find_if(
+      corners, corners + 4, [own](int corner) { return std::find(own, own + 4, corner) == own + 4; });
+    const auto face = static_cast<int>(apex - corners);
+    isFolded = isFolded || face == 4 || this->Orientations[other] == 0 ||
+      liesAbove(cell, f) == liesAbove(other, face);
+  }
+  return isFolded;
 }
 
 //------------------------------------------------------------------------------

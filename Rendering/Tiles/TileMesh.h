@@ -44,8 +44,10 @@ public:
   std::vector<unsigned char> Drawn;
   /** Whether so few are drawn that the others are not worth a look. */
   bool IsSparse = false;
-  /** Bit f: on the other side of face f the scalar may be another one, or there is no cell. */
+  /** Bit f: on the other side of face f the scalar may be another one, or there is no cell. Folded: the
+   *  cell is flat, or a neighbour lies on the same side of their face. */
   std::vector<unsigned char> Steps;
+  static constexpr unsigned char Folded = 16;
   /** The cell's id in what Build was given. */
   std::vector<int> Source;
   /** The point's id in what Build was given. */
@@ -58,6 +60,7 @@ private:
   void CopyCells(const std::vector<float>& points, const std::vector<int>& corners);
   void FindOrientations();
   void FindSteps();
+  bool IsFolded(int cell) const;
 };
 
 #endif

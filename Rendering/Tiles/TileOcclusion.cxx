@@ -25,13 +25,14 @@ constexpr float Margin = 1.0f / 64.0f;
 }
 
 //------------------------------------------------------------------------------
-void TileOcclusion::Clear(const TileTask& task, const TileRectangle& tile)
+void TileOcclusion::Clear(const TileTask& task, const TileRectangle& tile, bool isInOrder)
 {
   static_assert(Size * InRow == TileSize::Pixels, "blocks fill a tile");
   this->Depths.fill(Open);
   this->Last = { tile.LastX - tile.Left, tile.LastY - tile.Bottom };
   this->InVain = 0;
   this->Hides = false;
+  this->IsInOrder = isInOrder;
   this->MayHide = task.EndsEarly && task.OpticalDepth > DeepestVisible;
 }
 
@@ -83,7 +84,7 @@ void TileOcclusion::FindBlock(const TileBuffer& buffer, int x, int y)
       {
         return;
       }
-      depth = std::min(depth, buffer.LastExits[pixel]);
+      depth = this->IsInOrder ? depth : std::min(depth, buffer.LastExits[pixel]);
     }
   }
   this->Depths[y * InRow + x] = depth;

@@ -25,8 +25,8 @@ public:
    *  channel by more than 1e-6, and the pieces of one cell are followed no farther either. */
   static constexpr float NextToNone = 1e-7f;
 
-  /** Nothing hides anything. */
-  void Clear(const TileTask& task, const TileRectangle& tile);
+  /** Nothing hides anything. `isInOrder`: what comes later lies behind. */
+  void Clear(const TileTask& task, const TileRectangle& tile, bool isInOrder);
 
   /** Before fragments are shaded: finds the blocks that hide where about as many fragments as that
    *  costs were in vain, judged by two of each queue. */
@@ -51,7 +51,7 @@ private:
   /** The tile's last column and row. */
   std::array<int, 2> Last{};
   int InVain = 0;
-  bool MayHide = false, Hides = false;
+  bool MayHide = false, Hides = false, IsInOrder = false;
 };
 
 #endif

@@ -42,9 +42,9 @@ float DepthOf(const TileTask& task, int cell)
 }
 
 //------------------------------------------------------------------------------
-void TileOrder::Sort(const TileTask& task, int* ids, int count, std::vector<int>& work)
+bool TileOrder::Sort(const TileTask& task, int* ids, int count, std::vector<int>& work)
 {
-  this->FindWaiters(*task.Mesh, *task.Cells, ids, count);
+  const unsigned int flags = this->FindWaiters(*task.Mesh, *task.Cells, ids, count);
   work.resize(static_cast<std::size_t>(count));
   this->Sorted = work.data();
   this->NumberOfSorted = 0;
@@ -57,6 +57,7 @@ void TileOrder::Sort(const TileTask& task, int* ids, int count, std::vector<int>
   {
     this->ReleaseAll(ids, count);
   }
+  const bool hasCircles = this->NumberOfSorted < count;
   // What is left hides each other in circles.
   for (int i = 0; i < count && this->NumberOfSorted < count; ++i)
   {
@@ -66,6 +67,8 @@ void TileOrder::Sort(const TileTask& task, int* ids, int count, std::vector<int>
     }
   }
   std::copy_n(this->Sorted, count, ids);
+  return !hasCircles && !task.Mesh->IsSparse &&
+    (flags & (TileCells::Unsure | TileCells::Exact)) == 0;
 }
 
 //------------------------------------------------------------------------------
@@ -127,7 +130,7 @@ void TileOrder::ReleaseNearest(const int* ids, int count)
 }
 
 //------------------------------------------------------------------------------
-void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count)
+unsigned int TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count)
 {
   const auto size = static_cast<std::size_t>(count);
   this->Places.Clear(mesh.Source.size());
@@ -139,9 +142,11 @@ void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const 
     this->Places.Set(ids[i], i);
   }
   int next = 0;
+  unsigned int flags = 0;
   for (int i = 0; i < count; ++i)
   {
     this->WaitersBegin[i] = next;
+    flags |= cells.Faces[ids[i]];
     hwy::Prefetch(&mesh.Neighbours[4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)])]);
     const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(ids[i])];
     const unsigned int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
@@ -156,6 +161,7 @@ void TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const 
     }
   }
   this->WaitersBegin[size] = next;
+  return flags;
 }
 
 //------------------------------------------------------------------------------

@@ -23,13 +23,14 @@ struct TileTask;
 class TileOrder
 {
 public:
-  /** Reorders `count` ids. `work` is left as it comes. */
-  void Sort(const TileTask& task, int* ids, int count, std::vector<int>& work);
+  /** Reorders `count` ids. `work` is left as it comes. True where all that follow each other through
+   *  faces are certain to be in order. */
+  bool Sort(const TileTask& task, int* ids, int count, std::vector<int>& work);
 
   std::size_t GetMemorySize() const;
 
 private:
-  void FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count);
+  unsigned int FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count);
   void ReleaseAll(const int* ids, int count);
   void Release(int seed, const int* ids, int count);
   void FindSteps(const TileTask& task, const int* ids, int count);

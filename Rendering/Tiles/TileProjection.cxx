@@ -173,7 +173,7 @@ inline void RepairTile(const TileTask& task, const TileRectangle& tile, TileScra
   }
   scratch.Counts.RepairedPixels += wrong;
   repair.KeepCells(scratch.Drawn, scratch.Boxes);
-  scratch.Occlusion.Clear(task, tile);
+  scratch.Occlusion.Clear(task, tile, false);
   CoverTile(task, repair.Box(tile), scratch,
     [&]
     {
@@ -211,27 +211,30 @@ inline void WriteTile(const TileTask& task, const TileRectangle& tile, const Til
 
 void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scratch)
 {
-  scratch.Buffer.Clear();
-  scratch.Occlusion.Clear(task, tile);
+  TileFragments& fragments = scratch.Fragments;
+  TileBuffer& buffer = scratch.Buffer;
+  buffer.Clear();
+  scratch.Occlusion.Clear(task, tile, scratch.IsInOrder);
   scratch.Clock.Lap(TileStages::Write);
   CoverTile(task, tile, scratch,
     [&]
     {
-      TileFragments& fragments = scratch.Fragments;
-      scratch.Occlusion.Watch(fragments, scratch.Buffer);
+      scratch.Occlusion.Watch(fragments, buffer);
       scratch.Counts.Fragments += fragments.Count;
+      scratch.Counts.TrustedFragments += scratch.IsInOrder ? fragments.Count : 0;
       scratch.Clock.Lap(TileStages::Cover);
       const TileShadeCount shaded = ShadeTile(task, tile, scratch);
       scratch.Counts.Pieces += shaded.Pieces;
       scratch.Counts.ShadedLanes += shaded.Lanes;
       scratch.Clock.Lap(TileStages::Shade);
-      CompositeFragments<true>(fragments, task.Tolerance, scratch.Buffer);
+      scratch.IsInOrder ? CompositeFragments<false>(fragments, task.Tolerance, buffer)
+                        : CompositeFragments<true>(fragments, task.Tolerance, buffer);
       scratch.Clock.Lap(TileStages::Composite);
     });
   scratch.Counts.Cells += static_cast<long long>(scratch.Drawn.size());
   RepairTile(task, tile, scratch);
   scratch.Clock.Lap(TileStages::Repair);
-  WriteTile(task, tile, scratch.Buffer);
+  WriteTile(task, tile, buffer);
   scratch.Clock.Lap(TileStages::Write);
 }
 }

@@ -7,6 +7,7 @@
 #include "ConvexTileExactCell.h"
 #include "TileBuffer.h"
 #include "TileClock.h"
+#include "TileEntries.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
 #include "TileLitPieces.h"
@@ -28,6 +29,9 @@ struct TileScratch
   std::unique_ptr<TileLitRemainders> LitRemainders;
   TileBuffer Buffer;
   TileOrder Order;
+  TileEntries Entries;
+  /** Whether the order of the tile's cells is known to be right. */
+  bool IsInOrder = false;
   TileOcclusion Occlusion;
   TileRepair Repair;
   std::vector<int> Drawn;

@@ -36,6 +36,7 @@ TileCounts TileScratchPool::CollectCounts()
     sum.LanesOfBlocks += scratch->Counts.LanesOfBlocks;
     sum.CoveredLanes += scratch->Counts.CoveredLanes;
     sum.RepairedPixels += scratch->Counts.RepairedPixels;
+    sum.TrustedFragments += scratch->Counts.TrustedFragments;
     scratch->Counts = TileCounts();
   }
   return sum;

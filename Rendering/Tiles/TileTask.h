@@ -36,6 +36,9 @@ struct TileTask
   double OpticalDepth = 0.0;
   /** Whether the medium is so dense that every cell is set up in double. */
   bool AllExact = false;
+  /** Whether pixels of tiles that are known to be in order do without their proof, see class
+   *  TileEntries. */
+  bool TrustsOrder = true;
   /** Whether cells behind pixels that are nearly opaque are left out, see class TileOcclusion. */
   bool EndsEarly = true;
   /** Premultiplied RGBA, View->Width x View->Height. */
@@ -78,6 +81,8 @@ struct TileCounts
   long long LanesOfBlocks = 0;
   long long CoveredLanes = 0;
   long long RepairedPixels = 0;
+  /** Of the fragments: in tiles whose pixels needed no proof. */
+  long long TrustedFragments = 0;
 };
 
 #endif

@@ -16,6 +16,7 @@ list(APPEND sources
   Rendering/Tiles/TileCellFields.cxx
   Rendering/Tiles/TileCells.cxx
   Rendering/Tiles/TileClusters.cxx
+  Rendering/Tiles/TileEntries.cxx
   Rendering/Tiles/TileExactCell.cxx
   Rendering/Tiles/TileLighting.cxx
   Rendering/Tiles/TileLimits.cxx
@@ -62,6 +63,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCompositing-inl.h
   Rendering/Tiles/TileCoverage-inl.h
   Rendering/Tiles/TileCuts-inl.h
+  Rendering/Tiles/TileEntries.h
   Rendering/Tiles/TileExactCell.h
   Rendering/Tiles/TileFragments.h
   Rendering/Tiles/TileGradientOpacity-inl.h

@@ -167,6 +167,7 @@ void TilesEngine::Bin(const Scene& scene)
   this->Bins.Fill(this->Cells.Boxes, scene.BackToFront ? &order : nullptr, &this->Clusters,
     this->TilesX, this->TilesY);
   this->IsSorted = scene.BackToFront != nullptr;
+  this->InOrder.assign(static_cast<std::size_t>(this->TilesX) * this->TilesY, 0);
   // The next frame's order may be another one, where it is not found here.
   this->IsBinned = !this->IsSorted;
   this->Clock.Lap(TileStages::Bin);
@@ -191,6 +192,8 @@ void TilesEngine::SetTask(const Scene& scene)
   this->Task.OpticalDepth = depth;
   this->Task.AllExact = depth > DenseMedium;
   this->Task.EndsEarly = scene.EndsEarly;
+  // A ray may enter again behind what a plane cuts off.
+  this->Task.TrustsOrder = scene.TrustsOrder && scene.ClippingPlanes.empty();
   this->Task.Image = this->Image.data();
 }
 
@@ -225,20 +228,30 @@ bool TilesEngine::Project(const Scene& scene)
 void TilesEngine::DrawTile(int tile, TileScratch& scratch, bool isTimed)
 {
   scratch.Clock.Begin(isTimed);
-  int* cells = this->Bins.GetTile(tile);
-  const int count = this->Bins.GetSize(tile);
-  auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
-  if (!this->IsSorted)
-  {
-    scratch.Order.Sort(this->Task, cells, count, scratch.Drawn);
-  }
-  scratch.Drawn.clear();
-  std::copy_if(cells, cells + count, std::back_inserter(scratch.Drawn), isDrawn);
-  scratch.Clock.Lap(TileStages::Order);
   const TileRectangle rectangle =
     TileRectangle::OfTile(tile, this->View.Width, this->View.Height);
+  if (!this->IsSorted)
+  {
+    this->SortTile(tile, rectangle, scratch);
+  }
+  const int* cells = this->Bins.GetTile(tile);
+  auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
+  scratch.Drawn.clear();
+  std::copy_if(cells, cells + this->Bins.GetSize(tile), std::back_inserter(scratch.Drawn), isDrawn);
+  scratch.IsInOrder = this->Task.TrustsOrder && this->InOrder[tile] != 0;
+  scratch.Clock.Lap(TileStages::Order);
   TileProjection::Draw(this->Task, rectangle, scratch);
   scratch.Clock.End();
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SortTile(int tile, const TileRectangle& rectangle, TileScratch& scratch)
+{
+  int* cells = this->Bins.GetTile(tile);
+  const int count = this->Bins.GetSize(tile);
+  const bool isCertain = scratch.Order.Sort(this->Task, cells, count, scratch.Drawn);
+  this->InOrder[tile] =
+    isCertain && scratch.Entries.AreSingle(this->Task, rectangle, cells, count) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

@@ -5,7 +5,8 @@
  * tile by tile: order, set-up, coverage, shading, compositing, repair. No window, no GL; threads by
  * vtkSMPTools, vectors by Highway. Any mesh comes out right: every pixel keeps the exit of its last piece, and where a
  * later one begins before that the pixel is done again with its pieces sorted. A frame without such
- * pixels is proven. Cells behind pixels that are nearly opaque are not projected. The result does not
+ * pixels is proven. Tiles whose rays enter the mesh once at most and whose faces say for certain what comes
+ * first are proven by that alone (class TileEntries). Cells behind pixels that are nearly opaque are not projected. The result does not
  * depend on the number of threads.
  */
 #ifndef TilesEngine_h
@@ -56,6 +57,8 @@ public:
     bool EndsEarly = true;
     /** Times the stages and counts the lanes of coverage. */
     bool TimesStages = false;
+    /** Lets tiles that are known to be in order do without the proof of each pixel, see class TileEntries. */
+    bool TrustsOrder = true;
   };
 
   void SetMesh(
@@ -97,6 +100,7 @@ private:
   void SetTask(const Scene& scene);
   void SetLighting(const Scene& scene);
   bool Project(const Scene& scene);
+  void SortTile(int tile, const TileRectangle& rectangle, TileScratch& scratch);
   void DrawTile(int tile, TileScratch& scratch, bool isTimed);
   void CollectStages(double secondsOfTiles);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
@@ -117,6 +121,8 @@ private:
   TileClock Clock;
   TileStages Stages;
   std::vector<float> Image;
+  // Of each tile whose list is sorted: whether it is known to be right.
+  std::vector<unsigned char> InOrder;
   int TilesX = 0, TilesY = 0;
 
   // What stands from the last frame on, for SeenCamera.

@@ -78,6 +78,7 @@ TilesEngine::Scene TilesScene::DescribeScene()
   scene.IsAborted = this->IsAborted;
   scene.EndsEarly = this->EndsEarly;
   scene.TimesStages = this->TimesStages;
+  scene.TrustsOrder = this->TrustsOrder;
   vtkPlaneCollection* planes = this->Mapper->GetClippingPlanes();
   for (int i = 0; planes && i < planes->GetNumberOfItems(); ++i)
   {

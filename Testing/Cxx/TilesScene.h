@@ -39,6 +39,7 @@ public:
   bool CellScalars = false;
   bool EndsEarly = true;
   bool TimesStages = false;
+  bool TrustsOrder = true;
   TileLoop::AbortCheck IsAborted;
 
 private:

@@ -1,0 +1,88 @@
+#include "TileEntries.h"
+
+#include "TileMesh.h"
+#include "TileTask.h"
+#include "TileVertices.h"
+#include "TileView.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace
+{
+// The corners of the face opposite corner f, ascending.
+constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
+
+// The first whole number from `at` on, in the tile or at its end.
+int FirstFrom(double at)
+{
+  return static_cast<int>(std::ceil(std::min(std::max(at, 0.0), double(TileSize::Pixels))));
+}
+}
+
+//------------------------------------------------------------------------------
+bool TileEntries::AreSingle(
+  const TileTask& task, const TileRectangle& tile, const int* ids, int count)
+{
+  this->Entered.fill(0);
+  return std::all_of(ids, ids + count,
+    [&](int cell)
+    { return (task.Cells->Faces[cell] & TileCells::Entered) == 0 || this->AddCell(task, tile, cell); });
+}
+
+//------------------------------------------------------------------------------
+bool TileEntries::AddCell(const TileTask& task, const TileRectangle& tile, int cell)
+{
+  const std::size_t first = 4 * static_cast<std::size_t>(cell);
+  const bool positive = (task.Mesh->Orientations[cell] > 0) == task.View->KeepsOrientation;
+  Point corners[4];
+  for (int i = 0; i < 4; ++i)
+  {
+    const float* at = &task.Vertices->Values[4 * static_cast<std::size_t>(task.Mesh->Corners[first + i])];
+    corners[i] = { double(at[0]) - tile.Left, double(at[1]) - tile.Bottom };
+  }
+  bool isSingle = true;
+  for (int f = 0; f < 4; ++f)
+  {
+    const Point &a = corners[FaceCorners[f][0]], &b = corners[FaceCorners[f][1]];
+    const Point& c = corners[FaceCorners[f][2]];
+    const double area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
+    // The normals of faces 0 and 2 point out of a cell of positive orientation.
+    const bool enters = area != 0.0 && (area > 0.0) == ((f % 2 == 0) == positive);
+    isSingle = isSingle && (task.Mesh->Neighbours[first + f] >= 0 || !enters || this->AddFace(a, b, c));
+  }
+  return isSingle;
+}
+
+//------------------------------------------------------------------------------
+bool TileEntries::AddFace(const Point& a, const Point& b, const Point& c)
+{
+  this->FlipRightOf(a, b);
+  this->FlipRightOf(b, c);
+  this->FlipRightOf(a, c);
+  const int begin = FirstFrom(std::min({ a.Y, b.Y, c.Y }));
+  const int end = FirstFrom(std::max({ a.Y, b.Y, c.Y }));
+  std::uint64_t twice = 0;
+  for (int y = begin; y < end; ++y)
+  {
+    twice |= this->Entered[y] & this->Face[y];
+    this->Entered[y] |= this->Face[y];
+    this->Face[y] = 0;
+  }
+  return twice == 0;
+}
+
+//------------------------------------------------------------------------------
+void TileEntries::FlipRightOf(const Point& a, const Point& b)
+{
+  const Point& low = a.Y < b.Y ? a : b;
+  const Point& high = a.Y < b.Y ? b : a;
+  const double perRow = (high.X - low.X) / (high.Y - low.Y);
+  const int end = FirstFrom(high.Y);
+  for (int y = FirstFrom(low.Y); y < end; ++y)
+  {
+    const int x = FirstFrom(low.X + (y - low.Y) * perRow);
+    this->Face[y] ^= x < TileSize::Pixels ? ~std::uint64_t(0) << x : 0;
+  }
+}

@@ -1,0 +1,181 @@
+// Tiles that rays enter once, and whose faces say for certain what comes first, draw the same bytes without
+// the proof of each pixel: most of a lattice. Gaps, cells that overlap or are folded or flat, circles, orders
+// from elsewhere, eyes inside and clipping planes keep the proof where they need it. That the images are the
+// oracle's is for the other tests of Tiles, which trust as well.
+
+#include "SortMeshes.h"
+#include "TileArrays.h"
+#include "TilesScene.h"
+
+#include "vtkCamera.h"
+#include "vtkPlane.h"
+#include "vtkPlaneCollection.h"
+#include "vtkPoints.h"
+#include "vtkUnstructuredGrid.h"
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+namespace
+{
+using Grid = vtkSmartPointer<vtkUnstructuredGrid>;
+
+Grid WithScalar(Grid grid)
+{
+  SortMeshes::AddScalar(grid);
+  return grid;
+}
+
+Grid Lattice(int cells)
+{
+  return SortMeshes::Kuhn(SortMeshes::JitteredLattice(cells, 0.2));
+}
+
+// The share of the fragments that were not proven; without trust the image is the same to the last byte,
+// but where thin cells are called out of order by rounding.
+double CheckView(TestChecks& checks, TilesScene& scene)
+{
+  scene.EndsEarly = false;
+  CHECK(scene.DrawTiles());
+  const std::vector<float> trusting = scene.Engine.GetImage();
+  const TileCounts counts = scene.Engine.GetCounts();
+  scene.TrustsOrder = false;
+  CHECK(scene.DrawTiles());
+  const long long more = scene.Engine.GetCounts().RepairedPixels - counts.RepairedPixels;
+  CHECK(scene.Engine.GetCounts().TrustedFragments == 0);
+  CHECK(more >= 0);
+  const double change = TileArrays::LargestDifference(scene.Engine.GetImage(), trusting);
+  CHECK_AT_MOST(change, more > 0 ? 1e-5 : 0.0);
+  scene.TrustsOrder = scene.EndsEarly = true;
+  return static_cast<double>(counts.TrustedFragments) /
+    static_cast<double>(std::max(counts.Fragments, 1LL));
+}
+
+// Some eyes about a mesh, in both projections; returns the share of all.
+double CheckMesh(TestChecks& checks, vtkUnstructuredGrid* grid, const std::string& name)
+{
+  TilesScene scene(260, 230);
+  scene.SetTetrahedra(grid);
+  scene.SetSmooth();
+  scene.Property->SetScalarOpacityUnitDistance(0.1 * grid->GetLength());
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  double sum = 0.0;
+  constexpr int views = 3;
+  for (int i = 0; i < views; ++i)
+  {
+    scene.LookAt(grid, { any(random), any(random), any(random) }, 1.2);
+    vtkCamera* camera = scene.Renderer->GetActiveCamera();
+    camera->SetParallelProjection(i % 3 == 2);
+    camera->SetParallelScale(0.5 * grid->GetLength());
+    sum += CheckView(checks, scene) / views;
+  }
+  std::cout << name << ": trusted " << sum << "\n";
+  return sum;
+}
+
+void CheckMeshes(TestChecks& checks)
+{
+  CHECK(CheckMesh(checks, WithScalar(Lattice(24)), "lattice") > 0.5);
+  CHECK(CheckMesh(checks, WithScalar(SortMeshes::FineRing()), "ring") > 0.1);
+  CheckMesh(checks, WithScalar(SortMeshes::FineBars()), "bars");
+  CheckMesh(checks, WithScalar(SortMeshes::Tetrahedra(SortMeshes::Slabs())), "slabs");
+  CheckMesh(checks, WithScalar(SortMeshes::Tetrahedra(SortMeshes::Checkerboard())), "checkerboard");
+  CheckMesh(checks, WithScalar(SortMeshes::Tetrahedra(SortMeshes::HollowSphere())), "hollow sphere");
+  CheckMesh(checks, WithScalar(SortMeshes::Tetrahedra(SortMeshes::Spring())), "spring");
+}
+
+// Every ray that enters both enters twice.
+void CheckOverlap(TestChecks& checks)
+{
+  const Grid first = Lattice(6);
+  const double size = 0.3 * first->GetLength();
+  const Grid both = WithScalar(SortMeshes::Join(first, SortMeshes::Moved(Lattice(6), size, 0.2 * size, 0.1 * size)));
+  TilesScene scene(60, 60);
+  scene.SetTetrahedra(both);
+  scene.SetSmooth();
+  scene.LookAt(both, { 0.9, 0.5, 0.4 }, 1.2);
+  CHECK(CheckView(checks, scene) == 0.0);
+  CHECK(scene.Engine.GetCounts().RepairedPixels > 0);
+}
+
+// A lattice in which one point has moved through a face, and one whose point lies on one.
+void CheckFolded(TestChecks& checks)
+{
+  for (const double far : { 1.0, 1.6 })
+  {
+    const Grid grid = SortMeshes::Kuhn(SortMeshes::Lattice(4));
+    vtkPoints* points = grid->GetPoints();
+    const vtkIdType middle = grid->FindPoint(grid->GetCenter());
+    double at[3], beside[3];
+    points->GetPoint(middle, at);
+    points->GetPoint(middle + 1, beside);
+    for (int k = 0; k < 3; ++k)
+    {
+      at[k] += far * (beside[k] - at[k]);
+    }
+    points->SetPoint(middle, at);
+    TilesScene scene(60, 60);
+    scene.SetTetrahedra(WithScalar(grid));
+    scene.SetSmooth();
+    scene.LookAt(grid, { 0.6, 0.5, 0.7 }, 1.2);
+    CHECK(CheckView(checks, scene) == 0.0);
+  }
+}
+
+void CheckScenes(TestChecks& checks)
+{
+  const Grid grid = WithScalar(SortMeshes::FineBars());
+  TilesScene scene(90, 80);
+  scene.SetTetrahedra(grid);
+  scene.SetSmooth();
+  scene.Property->SetScalarOpacityUnitDistance(0.05 * grid->GetLength());
+  // Rays that begin in a bar, and those that a plane lets begin in one.
+  for (const double distance : { 0.0, 0.1, 0.3 })
+  {
+    scene.LookAt(grid, { 0.9, 0.3, 0.1 }, distance + 0.01);
+    CheckView(checks, scene);
+    CHECK_AT_MOST(scene.TilesError("eye inside"), 1e-4);
+  }
+  scene.LookAt(grid, { 0.9, 0.3, 0.1 }, 1.2);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(grid->GetCenter());
+  plane->SetNormal(-0.8, 0.1, 0.3);
+  scene.Mapper->AddClippingPlane(plane);
+  CHECK(CheckView(checks, scene) == 0.0);
+  CHECK_AT_MOST(scene.TilesError("clipped"), 1e-4);
+  scene.Mapper->RemoveAllClippingPlanes();
+}
+
+// Lists that stand from frame to frame keep what is known of them; orders from elsewhere are not trusted.
+void CheckFrames(TestChecks& checks)
+{
+  const Grid grid = WithScalar(Lattice(16));
+  TilesScene scene(200, 190);
+  scene.SetTetrahedra(grid);
+  scene.SetSmooth();
+  scene.LookAt(grid, { 0.3, 0.5, 0.7 }, 1.2);
+  const double share = CheckView(checks, scene);
+  CHECK(share > 0.3);
+  scene.Property->SetScalarOpacityUnitDistance(0.01 * grid->GetLength());
+  CHECK(CheckView(checks, scene) > 0.9 * share);
+  scene.BackToFront.resize(grid->GetNumberOfCells());
+  for (std::size_t i = 0; i < scene.BackToFront.size(); ++i)
+  {
+    scene.BackToFront[i] = static_cast<vtkIdType>(i);
+  }
+  CHECK(CheckView(checks, scene) == 0.0);
+}
+}
+
+int TestTilesTrust(int, char*[])
+{
+  TestChecks checks;
+  CheckMeshes(checks);
+  CheckOverlap(checks);
+  CheckFolded(checks);
+  CheckScenes(checks);
+  CheckFrames(checks);
+  return checks.Result();
+}
