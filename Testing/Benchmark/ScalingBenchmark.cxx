@@ -29,7 +29,6 @@ namespace
 {
 using ScalingBenchmark::Plan;
 
-constexpr int LeastFrames = 2;
 // A first frame may take longer than another by its inverse.
 constexpr double FirstFrameShare = 2.0 / 3.0;
 
@@ -64,6 +63,7 @@ public:
 private:
   using Scene = std::unique_ptr<BenchmarkScene>;
   void TakeLattice(int cubes);
+  void Compare(const Case& what, const std::vector<BenchmarkMapper>& mappers);
   std::vector<ScalingRow> Measure(const Case& what, std::vector<BenchmarkMapper> mappers);
   bool IsLeftOut(const ScalingRow& row, double growth);
   ScalingRow Begin(const Case& what, const BenchmarkMapper& mapper) const;
@@ -81,6 +81,8 @@ private:
   std::map<std::pair<int, bool>, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
   // By mesh, function, method and threads.
   std::map<std::tuple<int, bool, std::string, int>, BenchmarkError> Errors;
+  // By cubes, size, function, threads and number of mappers.
+  std::map<std::tuple<int, int, bool, int, int>, std::vector<ScalingRow>> Measured;
   // By method and function.
   std::map<std::pair<std::string, bool>, ScalingRow> Last;
   std::vector<ScalingRow> Timed;
@@ -110,7 +112,7 @@ ScalingRow Scaling::Begin(const Case& what, const BenchmarkMapper& mapper) const
   row.Method = mapper.Name;
   row.Engine = mapper.Engine;
   const double pixels = this->With.OracleLooks / static_cast<double>(row.Cells);
-  row.ErrorSize = std::min(this->With.ErrorSize, 8 * static_cast<int>(std::sqrt(pixels) / 8.0));
+  row.ErrorSize = std::min(this->With.ErrorSize, 4 * static_cast<int>(std::sqrt(pixels) / 4.0));
   return row;
 }
 
@@ -144,7 +146,7 @@ void Scaling::TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& ro
   {
     for (std::size_t i = 0; i < scenes.size(); ++i)
     {
-      if (frame <= LeastFrames || spent[i] < this->With.SecondsPerRow)
+      if (spent[i] < this->With.SecondsPerRow)
       {
         rows[i].Frames.push_back(scenes[i]->TimeFrame(frame));
         spent[i] += rows[i].Frames.back();
@@ -203,8 +205,23 @@ std::vector<ScalingRow> Scaling::Measure(const Case& what, std::vector<Benchmark
     scenes[i].reset();
     this->MeasureError(what, mappers[i], rows[i]);
   }
-  this->Report(rows);
   return rows;
+}
+
+// What two tables have is measured once.
+void Scaling::Compare(const Case& what, const std::vector<BenchmarkMapper>& mappers)
+{
+  std::vector<ScalingRow>& rows = this->Measured[{ what.Cubes, what.Size, what.IsSpiky,
+    vtkSMPTools::GetEstimatedNumberOfThreads(), static_cast<int>(mappers.size()) }];
+  if (rows.empty())
+  {
+    rows = this->Measure(what, mappers);
+  }
+  for (ScalingRow& row : rows)
+  {
+    row.Sweep = what.Sweep;
+  }
+  this->Report(rows);
 }
 
 //------------------------------------------------------------------------------
@@ -235,10 +252,10 @@ void Scaling::CompareCells()
   ScalingRow::PrintHeader();
   for (const int cubes : this->With.Cubes)
   {
-    this->Measure({ "cells", cubes, this->With.Size, false },
+    this->Compare({ "cells", cubes, this->With.Size, false },
       { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
         BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
-    this->Measure({ "cells", cubes, this->With.Size, true },
+    this->Compare({ "cells", cubes, this->With.Size, true },
       { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra() });
   }
 }
@@ -250,7 +267,7 @@ void Scaling::ComparePixels()
   ScalingRow::PrintHeader();
   for (const int size : this->With.Sizes)
   {
-    this->Measure({ "pixels", this->With.CubesOfPixels, size, false },
+    this->Compare({ "pixels", this->With.CubesOfPixels, size, false },
       { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
         BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
   }
@@ -267,7 +284,7 @@ void Scaling::CompareThreads()
     vtkSMPTools::Initialize(threads);
     for (const bool spiky : { false, true })
     {
-      this->Measure(
+      this->Compare(
         { "threads", this->With.CubesOfThreads, this->With.Size, spiky }, { BenchmarkMapper::Tiles() });
     }
   }
@@ -302,13 +319,13 @@ void PrintHeading(const BenchmarkMachine& machine, const Plan& plan, int frames)
 //------------------------------------------------------------------------------
 ScalingBenchmark::Plan ScalingBenchmark::Full()
 {
-  return { { 15, 30, 60, 126 }, { 256, 512, 1024, 2048 }, 30, 60, 512, 96, 7e9, 10.0, 3.0 };
+  return { { 15, 30, 60, 126 }, { 256, 512, 1024, 2048 }, 30, 60, 512, 96, 4e9, 10.0, 4.0 };
 }
 
 //------------------------------------------------------------------------------
 ScalingBenchmark::Plan ScalingBenchmark::Tiny()
 {
-  return { { 4 }, { 32, 64 }, 4, 4, 64, 32, 7e9, 10.0, 1.0 };
+  return { { 4 }, { 32, 64 }, 4, 4, 64, 32, 4e9, 10.0, 100.0 };
 }
 
 //------------------------------------------------------------------------------

@@ -24,7 +24,7 @@ struct Plan
   double OracleLooks;
   /// What a frame of a mapper may take, foreseen from its row before: where it takes longer the mapper is left out.
   double SecondsPerFrame;
-  /// Slow mappers have two frames, or as many as this allows.
+  /// Frames that begin after these are left out.
   double SecondsPerRow;
 };
 

@@ -157,8 +157,8 @@ def write_tables(rows, sweeps, path):
     lines = ["# Cost against cells, pixels and threads", "",
              f"{first['processor']}, {threads} threads (vtkSMPTools by {first['smp_backend']}), OpenGL by "
              f"{first['renderer']}, VTK {first['vtk']}. Drawn by `make bench` from [scaling.csv](scaling.csv), whose columns "
-             "`Testing/Benchmark/ScalingRow.h` explains. One run; medians of 9 frames, a new eye each, of slow mappers of fewer "
-             "(column frames); mappers whose frames may take over 10 s are left out. Errors: of premultiplied float RGBA (VTK's: "
+             "`Testing/Benchmark/ScalingRow.h` explains. One run; medians of 9 frames, a new eye each, of slow mappers of fewer"
+             "; mappers whose frames would take seconds are left out. Errors: of premultiplied float RGBA (VTK's: "
              "8 bits, without alpha) against the float64 oracle, in an image of as many pixels across as stands in brackets. "
              "Stages: ns per tetrahedron of the mesh; from order on, within tiles, the mean of all threads; wait: threads "
              "without a tile; rest: driver, depth, blending. Lane use, cover: covered lanes of the vectors of pixels that were "
