@@ -9,6 +9,8 @@
 #include "RayUniforms.h"
 #include "VTKVersions.h"
 #include "ViewRays.h"
+#include "cpPassTriangle.h"
+#include "cpRayWeights.h"
 #include "cpThreePassFragment.h"
 #include "cpThreePassVertex.h"
 #include "cpTransferFunction.h"
@@ -35,9 +37,13 @@ constexpr float Behind = 2e-6f;
 vtkShaderProgram* ReadyProgram(vtkOpenGLRenderWindow* window, const RasterView& view)
 {
   std::string fragment = RayUniforms::WithRay(cpThreePassFragment, view);
+  std::string vertex = cpThreePassVertex;
   vtkShaderProgram::Substitute(fragment, "//VTK::TransferFunction::Dec", cpTransferFunction);
+  vtkShaderProgram::Substitute(fragment, "//VTK::RayWeights::Dec", cpRayWeights);
+  vtkShaderProgram::Substitute(fragment, "//VTK::PassTriangle::Dec", cpPassTriangle);
+  vtkShaderProgram::Substitute(vertex, "//VTK::PassTriangle::Dec", cpPassTriangle);
   vtkShaderProgram* program =
-    window->GetShaderCache()->ReadyShaderProgram(cpThreePassVertex, fragment.c_str(), "");
+    window->GetShaderCache()->ReadyShaderProgram(vertex.c_str(), fragment.c_str(), "");
   return program && program->GetCompiled() ? program : nullptr;
 }
 }

@@ -28,6 +28,9 @@ class vtkWindow;
  * over the surface, in any order, and a third one takes them back for the next cell. One draw call
  * does it for all cells, as GL keeps the order of triangles.
  *
+ * Depth and scalar are those of the ray in the triangle's own plane: interpolated by a GPU, which
+ * moves corners to a grid of 1/256 pixel, they were wrong by up to .005 in one of 14 pixels.
+ *
  * Cells that the near plane cuts are cut before they are drawn, and closed by a cap; those behind
  * it are left out.
  */

@@ -57,10 +57,12 @@ set(shaders
   cpOpaqueQueryFragment
   cpOpticalDepth
   cpOwnColour
+  cpPassTriangle
   cpPointLight
   cpPointScalar
   cpPolyhedraFragment
   cpRay
+  cpRayWeights
   cpScalarColour
   cpScreenPoint
   cpSegment

@@ -1,6 +1,7 @@
 #include "TestScene.h"
 
 #include "FaceOrderSort.h"
+#include "SnappedVertices.h"
 #include "vtkConvexCells.h"
 #include "vtkFloatArray.h"
 #include "vtkPointData.h"
@@ -47,6 +48,7 @@ TestScene::TestScene(vtkConvexCellMapper* mapper, int width, int height)
   this->Property->SetInterpolationTypeToLinear();
   this->SetSmooth();
   this->Mapper->CaptureImageOn();
+  SnappedVertices::TakeTestEnvironment(this->Renderer);
   this->LookFrom(0.5, 0.8, 2.2);
 }
 
