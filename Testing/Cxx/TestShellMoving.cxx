@@ -9,9 +9,11 @@
 #include "vtkContourValues.h"
 #include "vtkPointData.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <vector>
 
 namespace
 {
@@ -129,18 +131,26 @@ void CheckMemory(TestChecks& checks, bool asSurfaces)
     scene.Property->GetIsoSurfaceValues()->SetValue(0, 0.5);
     scene.Property->ShadeOn();
   }
+  std::vector<long> growths;
   long before = 0;
   for (int frame = 0; frame <= 1100; ++frame)
   {
     Bend(grid, rest, 0.1 * std::sin(0.1 * frame));
     scene.Render();
-    before = frame == 100 ? ResidentPages() : before;
+    if (frame % 100 == 0)
+    {
+      const long now = ResidentPages();
+      growths.push_back(now - before);
+      std::cout << "frame " << frame << ": " << growths.back() << " pages more than " << before << "\n";
+      before = now;
+    }
   }
-  const long growth = ResidentPages() - before;
   CHECK(asSurfaces == (mapper->GetNumberOfShells() == 0));
-  std::cout << "1000 frames took " << growth << " pages more than " << before << "\n";
-  // One point buffer a frame, 5,488 bytes, would be 1,200 pages.
-  CHECK_AT_MOST(growth, 300);
+  // One point buffer a frame, 5,488 bytes, would be 120 pages in every hundred frames. Pools of the
+  // driver grow in few of them.
+  const auto middle = growths.begin() + 7;
+  std::nth_element(growths.begin() + 2, middle, growths.end());
+  CHECK_AT_MOST(*middle, 30);
 }
 }
 
