@@ -65,7 +65,7 @@ private:
   void TakeLattice(int cubes);
   void Compare(const Case& what, const std::vector<BenchmarkMapper>& mappers);
   std::vector<ScalingRow> Measure(const Case& what, std::vector<BenchmarkMapper> mappers);
-  bool IsLeftOut(const ScalingRow& row, double growth);
+  bool IsLeftOut(const ScalingRow& row, double growth) const;
   ScalingRow Begin(const Case& what, const BenchmarkMapper& mapper) const;
   void TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const;
   void MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row);
@@ -117,10 +117,11 @@ ScalingRow Scaling::Begin(const Case& what, const BenchmarkMapper& mapper) const
 }
 
 //------------------------------------------------------------------------------
-bool Scaling::IsLeftOut(const ScalingRow& row, double growth)
+bool Scaling::IsLeftOut(const ScalingRow& row, double growth) const
 {
   const auto found = this->Last.find({ row.Method, row.IsSpiky });
-  if (found == this->Last.end())
+  // Tiles are what the table is about.
+  if (found == this->Last.end() || row.Engine == BenchmarkMapper::Tiles().Engine)
   {
     return false;
   }
