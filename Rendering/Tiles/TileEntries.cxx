@@ -5,19 +5,25 @@
 #include "TileVertices.h"
 #include "TileView.h"
 
+#include <hwy/cache_control.h>
+
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
+#include <iterator>
 
 namespace
 {
+// Cells whose corners are fetched before their turn.
+constexpr std::size_t Ahead = 4;
 // The corners of the face opposite corner f, ascending.
 constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
 // The first whole number from `at` on, in the tile or at its end.
 int FirstFrom(double at)
 {
-  return static_cast<int>(std::ceil(std::min(std::max(at, 0.0), double(TileSize::Pixels))));
+  const double inTile = std::min(std::max(at, 0.0), double(TileSize::Pixels));
+  const auto below = static_cast<int>(inTile);
+  return below + (below < inTile ? 1 : 0);
 }
 }
 
@@ -26,9 +32,29 @@ bool TileEntries::AreSingle(
   const TileTask& task, const TileRectangle& tile, const int* ids, int count)
 {
   this->Entered.fill(0);
-  return std::all_of(ids, ids + count,
-    [&](int cell)
-    { return (task.Cells->Faces[cell] & TileCells::Entered) == 0 || this->AddCell(task, tile, cell); });
+  this->Cells.clear();
+  std::copy_if(ids, ids + count, std::back_inserter(this->Cells),
+    [&task](int cell) { return (task.Cells->Faces[cell] & TileCells::Entered) != 0; });
+  bool isSingle = true;
+  for (std::size_t i = 0; isSingle && i < this->Cells.size(); ++i)
+  {
+    this->Prefetch(task, i);
+    isSingle = this->AddCell(task, tile, this->Cells[i]);
+  }
+  return isSingle;
+}
+
+//------------------------------------------------------------------------------
+void TileEntries::Prefetch(const TileTask& task, std::size_t at) const
+{
+  const std::size_t last = this->Cells.size() - 1;
+  hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(this->Cells[std::min(at + 2 * Ahead, last)])]);
+  const int* corners =
+    &task.Mesh->Corners[4 * static_cast<std::size_t>(this->Cells[std::min(at + Ahead, last)])];
+  for (int i = 0; i < 4; ++i)
+  {
+    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
+  }
 }
 
 //------------------------------------------------------------------------------

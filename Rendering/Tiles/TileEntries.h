@@ -14,7 +14,9 @@
 #include "TileCells.h"
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <vector>
 
 struct TileRectangle;
 struct TileTask;
@@ -25,6 +27,8 @@ public:
   /** Of the `count` cells of a tile. */
   bool AreSingle(const TileTask& task, const TileRectangle& tile, const int* ids, int count);
 
+  std::size_t GetMemorySize() const { return this->Cells.capacity() * sizeof(int); }
+
 private:
   static_assert(TileSize::Pixels == 64, "a row of pixels is one word");
   using Rows = std::array<std::uint64_t, TileSize::Pixels>;
@@ -33,10 +37,13 @@ private:
     double X, Y;
   };
 
+  void Prefetch(const TileTask& task, std::size_t at) const;
   bool AddCell(const TileTask& task, const TileRectangle& tile, int cell);
   bool AddFace(const Point& a, const Point& b, const Point& c);
   void FlipRightOf(const Point& a, const Point& b);
 
+  /** Those through which rays enter. */
+  std::vector<int> Cells;
   /** Pixels that were entered, and those of one face. */
   Rows Entered{};
   Rows Face{};
