@@ -49,6 +49,14 @@ struct PreparedVolume;
  * are drawn with one of its sides, which is not guaranteed to be VTK's, and tables are no finer than
  * their entries.
  *
+ * Worlds may be from 1e-15 to 1e18 in size. Opacity is that of a length: in a world of a millionth
+ * ScalarOpacityUnitDistance must be as small, or next to nothing is seen. In larger worlds Tiles leave
+ * the range of a float in perspective, in smaller ones the extinction is cut off at 1e18 per world
+ * length.
+ *
+ * Scalars are floats over the range in which the functions change: a ramp of colours over 1e-4 of that
+ * range can be off by 1e-3.
+ *
  * Arrays are taken as they are at Render: call Modified() on one that was written in place.
  */
 class VTKCELLPROJECTION_EXPORT vtkConvexCellMapper : public vtkUnstructuredGridVolumeMapper
