@@ -124,6 +124,27 @@ void CheckFolded(TestChecks& checks)
   }
 }
 
+// Faces seen edge-on, of which neither cell knows the side; and a plane that no ray needs.
+void CheckDoubt(TestChecks& checks)
+{
+  const Grid grid = WithScalar(SortMeshes::Kuhn(SortMeshes::Lattice(8)));
+  TilesScene scene(60, 60);
+  scene.SetTetrahedra(grid);
+  scene.SetSmooth();
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetParallelProjection(1);
+  camera->SetParallelScale(0.5 * grid->GetLength());
+  scene.LookAt(grid, { 0.0, 0.0, 1.0 }, 1.2);
+  CHECK(CheckView(checks, scene) == 0.0);
+  scene.LookAt(grid, { 0.5, 0.3, 0.8 }, 1.2);
+  CHECK(CheckView(checks, scene) == 1.0);
+  vtkNew<vtkPlane> plane;
+  plane->SetOrigin(grid->GetCenter());
+  plane->SetNormal(0.0, 0.6, 0.8);
+  scene.Mapper->AddClippingPlane(plane);
+  CHECK(CheckView(checks, scene) == 0.0);
+}
+
 void CheckScenes(TestChecks& checks)
 {
   const Grid grid = WithScalar(SortMeshes::FineBars());
@@ -175,6 +196,7 @@ int TestTilesTrust(int, char*[])
   CheckMeshes(checks);
   CheckOverlap(checks);
   CheckFolded(checks);
+  CheckDoubt(checks);
   CheckScenes(checks);
   CheckFrames(checks);
   return checks.Result();
