@@ -68,26 +68,31 @@ public:
   }
 
 private:
-  HWY_INLINE ShadeVector ExtinctionAt(ShadeIndex piece, ShadeVector scalar) const
+  static constexpr int Batch = 4;
+
+  template <class Look>
+  HWY_INLINE ShadeVector ExtinctionAt(const Look& values, ShadeIndex piece, ShadeVector scalar) const
   {
-    const auto value = ValueOf(this->Values, this->Transfer, 3, piece, scalar);
+    const auto value = ValueOf(values, this->Transfer, 3, piece, scalar);
     return hn::Max(value, hn::Zero(ShadeFloat()));
   }
 
   /// Cuts at the transfer function's node.
-  HWY_INLINE void CutAtNode(const LitPieces& p, ShadeMask used, LitPart& part) const
+  template <class Look>
+  HWY_INLINE void CutAtNode(const Look& values, const LitPieces& p, ShadeMask used, LitPart& part) const
   {
     const NodeCut node =
-      FindNode(this->Values, this->Transfer, p.Piece, p.First, p.Last, used);
+      FindNode(values, this->Transfer, p.Piece, p.First, p.Last, used);
     part.AtNode = part.Open = node.IsCut;
     part.End = node.Share;
     part.LastScalar = hn::IfThenElse(node.IsCut, node.Bound, p.Last);
-    part.Front = this->ExtinctionAt(p.Piece, p.First);
-    part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
+    part.Front = this->ExtinctionAt(values, p.Piece, p.First);
+    part.Back = this->ExtinctionAt(values, p.Piece, part.LastScalar);
   }
 
   /// Cuts where light, opacity or colour bend.
-  HWY_INLINE void CutAtBend(const LitPieces& p, const LitCourse& light,
+  template <class Look>
+  HWY_INLINE void CutAtBend(const Look& values, const LitPieces& p, const LitCourse& light,
     const TileGradientOpacity::Course& opacity, ShadeMask used, LitPart& part) const
   {
     const ShadeFloat d;
@@ -104,12 +109,13 @@ private:
       part.Open = hn::Or(part.AtNode, hn::And(bent, used));
       const auto last = hn::MulAdd(part.End, hn::Sub(p.Last, p.First), p.First);
       part.LastScalar = hn::IfThenElse(bent, last, part.LastScalar);
-      part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
+      part.Back = this->ExtinctionAt(values, p.Piece, part.LastScalar);
     }
   }
 
   /// Cuts where the optical depth would pass 1.
-  HWY_INLINE void LimitDepth(const LitPieces& p, const TileGradientOpacity::Course& opacity,
+  template <class Look>
+  HWY_INLINE void LimitDepth(const Look& values, const LitPieces& p, const TileGradientOpacity::Course& opacity,
     ShadeMask used, LitPart& part) const
   {
     const ShadeFloat d;
@@ -138,7 +144,7 @@ private:
       thick, hn::MulAdd(share, hn::Sub(part.LastScalar, p.First), p.First), part.LastScalar);
     part.End = hn::Mul(part.End, share);
     part.Length = hn::Mul(part.Length, share);
-    part.Back = this->ExtinctionAt(p.Piece, part.LastScalar);
+    part.Back = this->ExtinctionAt(values, p.Piece, part.LastScalar);
     const auto depth = hn::Mul(hn::Mul(half, part.Length), hn::Add(part.Front, part.Back));
     part.Depth = hn::Min(depth, hn::Set(d, 1.0f));
     part.AtNode = hn::AndNot(thick, part.AtNode);
@@ -146,7 +152,8 @@ private:
   }
 
   /// How light and opacity change along a piece, and its first part.
-  HWY_INLINE void CutPiece(ShadeMask used, int pass, LitWork& w) const
+  template <class Look>
+  HWY_INLINE void CutPiece(const Look& values, ShadeMask used, int pass, LitWork& w) const
   {
     if (this->Kind.IsLit())
     {
@@ -156,12 +163,12 @@ private:
     {
       this->Opacity.Begin(w.Piece, w.Opacity);
     }
-    this->CutAtNode(w.Piece, used, w.Part);
+    this->CutAtNode(values, w.Piece, used, w.Part);
     if (pass < MostBends)
     {
-      this->CutAtBend(w.Piece, w.Light, w.Opacity, used, w.Part);
+      this->CutAtBend(values, w.Piece, w.Light, w.Opacity, used, w.Part);
     }
-    this->LimitDepth(w.Piece, w.Opacity, used, w.Part);
+    this->LimitDepth(values, w.Piece, w.Opacity, used, w.Part);
   }
 
   /// Where in the part light is looked at.
@@ -174,16 +181,17 @@ private:
   }
 
   /// The part's colour; what is left behind it waits.
-  HWY_INLINE void ColorPart(const LitWork& w, TileLitPieces& rest, ShadeVector (&color)[4]) const
+  template <class Look>
+  HWY_INLINE void ColorPart(const Look& values, const LitWork& w, TileLitPieces& rest, ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
     if (this->Kind.HasOpacity())
     {
-      this->PartColors.ShadeCurved(w.Piece, w.Light, w.Opacity, w.Part, color);
+      this->PartColors.ShadeCurved(values, w.Piece, w.Light, w.Opacity, w.Part, color);
     }
     else
     {
-      this->PartColors.ShadeLinear(w.Piece, w.Light, w.Part, w.Nodes, color);
+      this->PartColors.ShadeLinear(values, w.Piece, w.Light, w.Part, w.Nodes, color);
     }
     if (!hn::AllFalse(d, w.Part.Open))
     {
@@ -277,7 +285,6 @@ private:
     p.First = ends.First(q.ScalarIn + at);
     p.Last = ends.Last(q.ScalarOut + at);
     p.Through = hn::Set(d, 1.0f);
-    p.Piece = PieceOf(this->Values, this->Transfer, p.First);
     p.Fragment = Ramp(di, at);
     const int lanes = static_cast<int>(hn::Lanes(d));
     this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
@@ -285,12 +292,65 @@ private:
 
   void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
   {
-    constexpr int batch = 4;
-    ShadeInSteps<LitWork, batch>(
-      q, [&](int at, LitWork& w) { this->FindFirstPiece(q, at, w.Piece); },
-      [&](ShadeMask used, LitWork& w) { this->CutPiece(used, 0, w); },
-      [&](LitWork& w) { this->FindNodes(w); },
-      [&](const LitWork& w, ShadeVector (&color)[4]) { this->ColorPart(w, rest, color); });
+    const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
+    q.FillLastVector();
+    LitWork work[Batch];
+    for (int begin = 0; begin < q.Count; begin += Batch * lanes)
+    {
+      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
+      for (int i = 0; i < count; ++i)
+      {
+        this->FindFirstPiece(q, begin + i * lanes, work[i].Piece);
+      }
+      OnePieceLookUp one;
+      if (this->FindOnePiece(work, count, one))
+      {
+        this->ShadeInSteps(one, work, begin, q, rest);
+      }
+      else
+      {
+        this->ShadeInSteps(this->Values, work, begin, q, rest);
+      }
+    }
+  }
+
+  /// The piece that all of `count` vectors lie in, if there is one.
+  HWY_INLINE bool FindOnePiece(const LitWork* work, int count, OnePieceLookUp& one) const
+  {
+    auto least = work[0].Piece.First, greatest = least;
+    for (int i = 0; i < count; ++i)
+    {
+      const LitPieces& p = work[i].Piece;
+      least = hn::Min(least, hn::Min(p.First, p.Last));
+      greatest = hn::Max(greatest, hn::Max(p.First, p.Last));
+    }
+    return one.Take(this->Transfer, least, greatest);
+  }
+
+  /// Step after step for all vectors from `begin` on: within one the steps wait for each other.
+  template <class Look>
+  HWY_INLINE void ShadeInSteps(const Look& values, LitWork (&work)[Batch], int begin,
+    TileFragments& q, TileLitPieces& rest) const
+  {
+    const ShadeFloat d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
+    const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
+    for (int i = 0; i < count; ++i)
+    {
+      work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
+      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes));
+      this->CutPiece(values, used, 0, work[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      this->FindNodes(work[i]);
+    }
+    for (int i = 0; i < count; ++i)
+    {
+      ShadeVector color[4];
+      this->ColorPart(values, work[i], rest, color);
+      StoreColors(color, begin + i * lanes, q);
+    }
   }
 
   void ShadeRemainders(
@@ -305,9 +365,9 @@ private:
       LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, work.Piece);
       this->Light.FindToEye(work.Piece.Pixel, work.Piece.ToEye);
       ShadeVector color[4];
-      this->CutPiece(hn::FirstN(d, static_cast<std::size_t>(count)), pass, work);
+      this->CutPiece(this->Values, hn::FirstN(d, static_cast<std::size_t>(count)), pass, work);
       this->FindNodes(work);
-      this->ColorPart(work, next, color);
+      this->ColorPart(this->Values, work, next, color);
       for (auto& component : color)
       {
         component = hn::Mul(component, work.Piece.Through);
@@ -326,7 +386,7 @@ private:
   const TileGradientOpacity Opacity;
   const TileComponentColors Colors;
   const LitKind<General> Kind;
-  const TilePartColors<LookUp, General> PartColors;
+  const TilePartColors<General> PartColors;
   const float LengthPerWay;
 };
 }

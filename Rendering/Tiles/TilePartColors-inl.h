@@ -80,7 +80,7 @@ struct LitNodes
   }
 };
 
-template <class LookUp, bool General>
+template <bool General>
 class TilePartColors
 {
 public:
@@ -96,7 +96,8 @@ public:
   }
 
   /// The colour of a part whose extinction is linear.
-  HWY_INLINE void ShadeLinear(const LitPieces& p, const LitCourse& light, const LitPart& part,
+  template <class LookUp>
+  HWY_INLINE void ShadeLinear(const LookUp& values, const LitPieces& p, const LitCourse& light, const LitPart& part,
     const LitNodes& nodes, ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
@@ -105,19 +106,20 @@ public:
       GreySum sum{ hn::Zero(d), hn::Zero(d), hn::Zero(d) };
       this->AddGrey(p, light, part, nodes.First, nodes.Before, sum);
       this->AddGrey(p, light, part, nodes.Second, nodes.Behind, sum);
-      this->ColorGrey(p, sum, color);
+      this->ColorGrey(values, p, sum, color);
     }
     else
     {
       color[0] = color[1] = color[2] = hn::Zero(d);
-      this->AddColor(p, light, part, nodes.First, nodes.Before, color);
-      this->AddColor(p, light, part, nodes.Second, nodes.Behind, color);
+      this->AddColor(values, p, light, part, nodes.First, nodes.Before, color);
+      this->AddColor(values, p, light, part, nodes.Second, nodes.Behind, color);
     }
     color[3] = hn::Neg(nodes.Alpha);
   }
 
   /// Of any extinction: three nodes for the optical depth, too.
-  HWY_INLINE void ShadeCurved(const LitPieces& p, const LitCourse& light,
+  template <class LookUp>
+  HWY_INLINE void ShadeCurved(const LookUp& values, const LitPieces& p, const LitCourse& light,
     const TileGradientOpacity::Course& opacity, const LitPart& part, ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
@@ -147,7 +149,7 @@ public:
     color[0] = color[1] = color[2] = hn::Zero(d);
     for (int i = 0; i < 3; ++i)
     {
-      this->AddColor(
+      this->AddColor(values,
         p, light, part, hn::Set(d, GaussNodes::Places[i]), hn::Mul(absorbed[i], scale), color);
     }
     color[3] = hn::Neg(alpha);
@@ -155,7 +157,8 @@ public:
 
 private:
   /// The colour at a share of a piece, times `weight`, added to a sum.
-  HWY_INLINE void AddColor(const LitPieces& p, const LitCourse& light, const LitPart& part,
+  template <class LookUp>
+  HWY_INLINE void AddColor(const LookUp& values, const LitPieces& p, const LitCourse& light, const LitPart& part,
     ShadeVector at, ShadeVector weight, ShadeVector (&sum)[4]) const
   {
     const auto share = hn::Mul(part.End, at);
@@ -169,7 +172,7 @@ private:
       const auto scalar = hn::MulAdd(at, hn::Sub(part.LastScalar, p.First), p.First);
       for (int k = 0; k < 3; ++k)
       {
-        color[k] = ValueOf(this->Values, this->Transfer, k, p.Piece, scalar);
+        color[k] = ValueOf(values, this->Transfer, k, p.Piece, scalar);
       }
     }
     LitColors<3> lit;
@@ -199,19 +202,19 @@ private:
     sum.Highlight = hn::MulAdd(weight, lit.Highlight[0], sum.Highlight);
   }
 
-  HWY_INLINE void ColorGrey(const LitPieces& p, const GreySum& sum, ShadeVector (&color)[4]) const
+  template <class LookUp>
+  HWY_INLINE void ColorGrey(const LookUp& values, const LitPieces& p, const GreySum& sum, ShadeVector (&color)[4]) const
   {
     for (int k = 0; k < 3; ++k)
     {
-      const auto slope = this->Values(this->Transfer.Slopes[k].data(), p.Piece);
+      const auto slope = values(this->Transfer.Slopes[k].data(), p.Piece);
       const auto first =
-        hn::MulAdd(slope, p.First, this->Values(this->Transfer.Offsets[k].data(), p.Piece));
+        hn::MulAdd(slope, p.First, values(this->Transfer.Offsets[k].data(), p.Piece));
       color[k] =
         hn::MulAdd(slope, sum.Scalar, hn::MulAdd(first, sum.Factor, sum.Highlight));
     }
   }
 
-  const LookUp Values{};
   const TileTransfer& Transfer;
   const LitKind<General>& Kind;
   const TileLightSource& Light;

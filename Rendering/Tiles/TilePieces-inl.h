@@ -50,6 +50,29 @@ struct MemoryLookUp
   }
 };
 
+/// Of fragments that all lie in one piece.
+struct OnePieceLookUp
+{
+  int Piece = 0;
+  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex) const
+  {
+    return hn::Set(ShadeFloat(), table[this->Piece]);
+  }
+
+  /// Goes over to the piece that the scalars from `least` to `greatest` lie in, if there is one.
+  template <class Table>
+  HWY_INLINE bool Take(const Table& table, ShadeVector least, ShadeVector greatest)
+  {
+    const ShadeFloat d;
+    const auto begin = table.Bounds.begin() + 1;
+    const auto end = table.Bounds.begin() + table.NumberOfPieces;
+    this->Piece = static_cast<int>(std::upper_bound(begin, end, hn::GetLane(least)) - begin);
+    const auto above = hn::Le(hn::Set(d, table.Bounds[this->Piece]), least);
+    const auto below = hn::Le(greatest, hn::Set(d, table.Bounds[this->Piece + 1]));
+    return hn::AllTrue(d, hn::And(above, below));
+  }
+};
+
 template <class Table>
 HWY_INLINE bool FitsRegisters(const Table& table)
 {
@@ -84,6 +107,12 @@ HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVec
     piece = hn::IfThenElse(hn::RebindMask(di, reached), higher, piece);
   }
   return piece;
+}
+
+template <class Table>
+HWY_INLINE ShadeIndex PieceOf(const OnePieceLookUp& one, const Table&, ShadeVector)
+{
+  return hn::Set(ShadeInt(), one.Piece);
 }
 
 /// One where the scalar rises, else zero.
@@ -128,6 +157,15 @@ HWY_INLINE NodeCut FindNode(const LookUp& values, const Table& table, ShadeIndex
   return node;
 }
 
+/// No piece of a ray passes a node there.
+template <class Table>
+HWY_INLINE NodeCut FindNode(const OnePieceLookUp&, const Table&, ShadeIndex, ShadeVector,
+  ShadeVector last, ShadeMask)
+{
+  const ShadeFloat d;
+  return { hn::Lt(hn::Zero(d), hn::Zero(d)), false, last, hn::Set(d, 1.0f) };
+}
+
 /// A vector of fragments in depth and scalar, which are not linear on the screen.
 struct FragmentEnds
 {
@@ -170,39 +208,6 @@ HWY_INLINE void AddColors(
     for (int i = 0; i < 4; ++i)
     {
       target[i] += colors[k][i];
-    }
-  }
-}
-
-/// Shades the first pieces step after step, `Batch` vectors at a time: within one vector the steps
-/// wait for each other. `find(at, work)`, `cut(used, work)`, `place(work)`, `paint(work, color)`.
-template <class Work, int Batch, class Find, class Cut, class Place, class Paint>
-HWY_INLINE void ShadeInSteps(
-  TileFragments& q, const Find& find, const Cut& cut, const Place& place, const Paint& paint)
-{
-  const ShadeFloat d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
-  Work work[Batch];
-  for (int begin = 0; begin < q.Count; begin += Batch * lanes)
-  {
-    const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
-    for (int i = 0; i < count; ++i)
-    {
-      find(begin + i * lanes, work[i]);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      cut(hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes)), work[i]);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      place(work[i]);
-    }
-    for (int i = 0; i < count; ++i)
-    {
-      ShadeVector color[4];
-      paint(work[i], color);
-      StoreColors(color, begin + i * lanes, q);
     }
   }
 }
