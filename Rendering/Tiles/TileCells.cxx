@@ -10,6 +10,7 @@
 #include "TileExactCell.h"
 #include "TileMesh.h"
 #include "TileRecords-inl.h"
+#include "TileSliver.h"
 #include "TileVertices.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
@@ -50,12 +51,24 @@ void TilesOf(Vector low, Vector high, int size, hn::Vec<Int>& first, hn::Vec<Int
   last = hn::IfThenElseZero(covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), end)));
 }
 
+// The area up to which rounding may turn a face within that box, twice.
+template <class Vector>
+Vector TurningArea(const Vector (&low)[2], const Vector (&high)[2])
+{
+  const Float d;
+  const auto extent = hn::Add(hn::Sub(high[0], low[0]), hn::Sub(high[1], low[1]));
+  const auto farthest = hn::Max(hn::Max(hn::Abs(low[0]), hn::Abs(high[0])),
+    hn::Max(hn::Abs(low[1]), hn::Abs(high[1])));
+  return hn::Mul(hn::Mul(extent, hn::Set(d, 2.0f * TileSliver::AreaRounding)), farthest);
+}
+
 struct ProjectedGroup
 {
   HWY_ALIGN int Box[TileRecords::Count];
   HWY_ALIGN int Exits[TileRecords::Count]; // of a cell of positive orientation
   HWY_ALIGN int Entries[TileRecords::Count];
   HWY_ALIGN int Outside[TileRecords::Count]; // whether a corner has no place on the screen
+  HWY_ALIGN int Thin[TileRecords::Count];    // whether a face may be a sliver
 };
 
 void ProjectLanes(const TileRecords& records, int lane, const TileView& view, ProjectedGroup& out)
@@ -81,7 +94,8 @@ void ProjectLanes(const TileRecords& records, int lane, const TileView& view, Pr
     di, out.Box + lane);
   const hn::Vec<Float> areas[4] = { AreaOf(v[1], v[2], v[3]), AreaOf(v[0], v[2], v[3]),
     AreaOf(v[0], v[1], v[3]), AreaOf(v[0], v[1], v[2]) };
-  auto exits = hn::Zero(di), entries = hn::Zero(di);
+  auto exits = hn::Zero(di), entries = hn::Zero(di), thin = hn::Zero(di);
+  const auto turns = TurningArea(low, high);
   for (int f = 0; f < 4; ++f)
   {
     const auto bit = hn::Set(di, 1 << f);
@@ -90,9 +104,12 @@ void ProjectLanes(const TileRecords& records, int lane, const TileView& view, Pr
     // The normals of faces 0 and 2 point out of a cell of positive orientation.
     exits = hn::Or(exits, hn::IfThenElseZero(f % 2 == 1 ? above : below, bit));
     entries = hn::Or(entries, hn::IfThenElseZero(f % 2 == 1 ? below : above, bit));
+    const auto isThin = hn::RebindMask(di, hn::Le(hn::Abs(areas[f]), turns));
+    thin = hn::Or(thin, hn::IfThenElseZero(isThin, bit));
   }
   hn::Store(exits, di, out.Exits + lane);
   hn::Store(entries, di, out.Entries + lane);
+  hn::Store(thin, di, out.Thin + lane);
   const auto outside = hn::Ge(high[0], hn::Set(d, TileVertices::OffScreen));
   hn::Store(
     hn::IfThenElseZero(hn::RebindMask(di, outside), hn::Set(di, 1)), di, out.Outside + lane);
@@ -122,8 +139,9 @@ void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices
     const int entries = group.Exits[k] ^ group.Entries[k] ^ exits;
     const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
                        (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
-    const bool isUnsure =
-      (exits | entries) != TileCells::AllFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
+    const bool isUnsure = (exits | entries) != TileCells::AllFaces ||
+      (mesh.Steps[cell] & TileMesh::Folded) != 0 ||
+      (group.Thin[k] != 0 && group.Outside[k] == 0 && TileSliver::MeetsPixel(mesh, view, vertices, cell));
     cells.Faces[cell] = static_cast<std::uint8_t>((exits & linked) |
       ((entries & ~linked) != 0 ? TileCells::Entered : 0) | (isUnsure ? TileCells::Unsure : 0) |
       (group.Outside[k] ? TileCells::Exact : 0));

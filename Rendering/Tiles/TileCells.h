@@ -50,8 +50,8 @@ public:
   static constexpr int AllFaces = 15;
   /** Of Faces: rays enter the mesh through a face of the cell. */
   static constexpr std::uint8_t Entered = 16;
-  /** Of Faces: what its faces say of the order is not certain: one is seen edge-on, or the cell is
-   *  flat or lies over a neighbour. Exact cells are not certain either. */
+  /** Of Faces: what its faces say of the order is not certain: one is seen edge-on, or so nearly that
+   *  rounding may turn it at a pixel (class TileSliver), or the cell is flat or lies over a neighbour. Exact cells are not certain either. */
   static constexpr std::uint8_t Unsure = 32;
   /** Of Faces: the cell needs class TileExactCell. */
   static constexpr std::uint8_t Exact = 128;

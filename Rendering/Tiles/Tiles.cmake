@@ -29,6 +29,7 @@ list(APPEND sources
   Rendering/Tiles/TileProjection.cxx
   Rendering/Tiles/TileRepair.cxx
   Rendering/Tiles/TileScratchPool.cxx
+  Rendering/Tiles/TileSliver.cxx
   Rendering/Tiles/TileTransfer.cxx
   Rendering/Tiles/TileVertices.cxx
   Rendering/Tiles/TileView.cxx
@@ -91,6 +92,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileScratchPool.h
   Rendering/Tiles/TileSetup-inl.h
   Rendering/Tiles/TileShading-inl.h
+  Rendering/Tiles/TileSliver.h
   Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
   Rendering/Tiles/TileThinPieces-inl.h

@@ -8,9 +8,11 @@
 #include "TilesScene.h"
 
 #include "vtkCamera.h"
+#include "vtkMath.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
 #include "vtkPoints.h"
+#include "vtkTriangle.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -145,6 +147,53 @@ void CheckDoubt(TestChecks& checks)
   CHECK(CheckView(checks, scene) == 0.0);
 }
 
+// From within the plane of a cell's face, with the line that it is seen as slanted through pixels.
+void LookAlongFace(vtkCamera* camera, vtkUnstructuredGrid* grid, vtkIdType cell, std::mt19937& random, double slant)
+{
+  double corners[3][3], along[3], eye[3], normal[3], up[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    grid->GetPoint(grid->GetCell(cell)->GetPointId(i), corners[i]);
+  }
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  const double a = any(random), b = any(random);
+  for (int k = 0; k < 3; ++k)
+  {
+    along[k] = a * (corners[1][k] - corners[0][k]) + b * (corners[2][k] - corners[0][k]);
+  }
+  vtkMath::Normalize(along);
+  vtkTriangle::ComputeNormal(corners[0], corners[1], corners[2], normal);
+  vtkMath::Cross(normal, along, up);
+  for (int k = 0; k < 3; ++k)
+  {
+    eye[k] = corners[0][k] + 1.5 * grid->GetLength() * along[k];
+    up[k] += slant * normal[k];
+  }
+  camera->SetFocalPoint(corners[0]);
+  camera->SetPosition(eye);
+  camera->SetViewUp(up);
+}
+
+// Rounding decides which way such a face looks, and pixels lie in it.
+void CheckSlivers(TestChecks& checks)
+{
+  const Grid grid = WithScalar(Lattice(4));
+  TilesScene scene(101, 101);
+  scene.SetTetrahedra(grid);
+  scene.SetSmooth();
+  scene.Property->SetScalarOpacityUnitDistance(0.01 * grid->GetLength());
+  vtkCamera* camera = scene.Renderer->GetActiveCamera();
+  camera->SetParallelScale(0.3 * grid->GetLength());
+  std::mt19937 random(3);
+  for (int view = 0; view < 40; ++view)
+  {
+    LookAlongFace(camera, grid, view * 9, random, view % 2 == 0 ? 1.0 : 0.5);
+    camera->SetParallelProjection(view % 4 < 2);
+    scene.Renderer->ResetCameraClippingRange(grid->GetBounds());
+    CheckView(checks, scene);
+  }
+}
+
 void CheckScenes(TestChecks& checks)
 {
   const Grid grid = WithScalar(SortMeshes::FineBars());
@@ -197,6 +246,7 @@ int TestTilesTrust(int, char*[])
   CheckOverlap(checks);
   CheckFolded(checks);
   CheckDoubt(checks);
+  CheckSlivers(checks);
   CheckScenes(checks);
   CheckFrames(checks);
   return checks.Result();
