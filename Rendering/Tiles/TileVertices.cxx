@@ -12,12 +12,16 @@
 
 namespace
 {
+// Share of the near plane's u by which rounding may take a point on it for one behind it.
+constexpr double Rounding = 1e-14;
+
 void TransformPoint(const TileView& view, const float* point, float* out)
 {
   const glm::dvec4 screen = view.MeshToScreen * glm::dvec4(point[0], point[1], point[2], 1.0);
   const double inverse = 1.0 / screen.w;
   const double x = screen.x * inverse, y = screen.y * inverse, u = screen.z * inverse;
-  const bool inside = screen.w > 0.0 && u < view.NearU && u > view.FarU &&
+  const double nearest = view.NearU - Rounding * std::abs(view.NearU);
+  const bool inside = screen.w > 0.0 && u < nearest && u > view.FarU &&
                       std::abs(x) < TileVertices::Farthest && std::abs(y) < TileVertices::Farthest;
   out[0] = inside ? static_cast<float>(x) : TileVertices::OffScreen;
   out[1] = inside ? static_cast<float>(y) : TileVertices::OffScreen;

@@ -1,7 +1,7 @@
 /**
  * A mesh's points on the screen in floats: x, y, u and the scalar.
  *
- * Points before the near plane, behind the far plane, or so far off the viewport that a float loses
+ * Points before or on the near plane, behind the far plane, or so far off the viewport that a float loses
  * the pixel's fractions have x = y = OffScreen; their cells are set up in double from the mesh
  * (class TileExactCell).
  */

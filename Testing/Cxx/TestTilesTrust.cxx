@@ -15,6 +15,8 @@
 #include "vtkTriangle.h"
 #include "vtkUnstructuredGrid.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <random>
 #include <string>
@@ -174,6 +176,51 @@ void LookAlongFace(vtkCamera* camera, vtkUnstructuredGrid* grid, vtkIdType cell,
   camera->SetViewUp(up);
 }
 
+// Two layers of a funnel, and another one behind it that its rays do not enter twice.
+void AddFunnel(TileArrays& arrays, const float (&heights)[3], float wide, float widens)
+{
+  constexpr int cells[6][4] = { { 0, 1, 3, 7 }, { 0, 1, 5, 7 }, { 0, 2, 3, 7 }, { 0, 2, 6, 7 },
+    { 0, 4, 5, 7 }, { 0, 4, 6, 7 } };
+  const auto first = static_cast<int>(arrays.Points.size() / 4);
+  for (int at = 0; at < 12; ++at)
+  {
+    const float half = wide + widens * static_cast<float>(at / 4);
+    const float x = at % 2 != 0 ? half : -0.93f * half, y = at / 2 % 2 != 0 ? 1.07f * half : -half;
+    arrays.Points.insert(arrays.Points.end(), { x, y, heights[at / 4], 0.0f });
+    arrays.Scalars.push_back(0.08f * static_cast<float>(at));
+  }
+  for (int at = 0; at < 48; ++at)
+  {
+    arrays.Corners.push_back(first + at / 24 * 4 + cells[at / 4 % 6][at % 4]);
+  }
+}
+
+// The near plane in faces of the mesh: by rounding its cut-off cells have no pixel.
+void CheckNearPlane(TestChecks& checks)
+{
+  TileArrays arrays(1);
+  arrays.Points.clear();
+  arrays.Scalars.clear();
+  arrays.Corners.clear();
+  AddFunnel(arrays, { 0.0f, 0.3f, 0.6f }, 0.3f, 0.15f);
+  AddFunnel(arrays, { -0.9f, -0.7f, -0.5f }, 0.18f, 0.03f);
+  arrays.SetFunction(false, 0.1);
+  arrays.SetMesh();
+  for (int i = 0; i < 400; ++i)
+  {
+    const double eye = 1.5 + 0.00371 * i, before = eye - double(0.3f);
+    arrays.LookFrom({ 0.0, 0.0, eye }, 34.0, 40, 40);
+    arrays.Scene.Camera.ViewToClip = glm::perspective(0.6, 1.0, before, before + 3.0);
+    arrays.Scene.EndsEarly = false;
+    arrays.Scene.TrustsOrder = true;
+    CHECK(arrays.Render());
+    const std::vector<float> trusting = arrays.Engine.GetImage();
+    arrays.Scene.TrustsOrder = false;
+    CHECK(arrays.Render());
+    CHECK_AT_MOST(TileArrays::LargestDifference(arrays.Engine.GetImage(), trusting), 1e-5);
+  }
+}
+
 // Rounding decides which way such a face looks, and pixels lie in it.
 void CheckSlivers(TestChecks& checks)
 {
@@ -247,6 +294,7 @@ int TestTilesTrust(int, char*[])
   CheckFolded(checks);
   CheckDoubt(checks);
   CheckSlivers(checks);
+  CheckNearPlane(checks);
   CheckScenes(checks);
   CheckFrames(checks);
   return checks.Result();
