@@ -139,13 +139,20 @@ void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices
     const int entries = group.Exits[k] ^ group.Entries[k] ^ exits;
     const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
                        (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
-    const bool isUnsure = (exits | entries) != TileCells::AllFaces ||
-      (mesh.Steps[cell] & TileMesh::Folded) != 0 ||
-      (group.Thin[k] != 0 && group.Outside[k] == 0 && TileSliver::MeetsPixel(mesh, view, vertices, cell));
+    const bool isUnsure =
+      (exits | entries) != TileCells::AllFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
     cells.Faces[cell] = static_cast<std::uint8_t>((exits & linked) |
       ((entries & ~linked) != 0 ? TileCells::Entered : 0) | (isUnsure ? TileCells::Unsure : 0) |
       (group.Outside[k] ? TileCells::Exact : 0));
     cells.Boxes[cell] = static_cast<std::uint32_t>(group.Box[k]);
+  }
+  for (int k = 0; k < count; ++k)
+  {
+    const bool isThin = group.Thin[k] != 0 && group.Outside[k] == 0;
+    if (isThin && TileSliver::MeetsPixel(mesh, view, vertices, first + k))
+    {
+      cells.Faces[first + k] |= TileCells::Unsure;
+    }
   }
 }
 
