@@ -4,6 +4,7 @@
 #include "FrameStatistics.h"
 #include "RasterView.h"
 #include "ViewRays.h"
+#include "vtkOpenGLRenderWindow.h"
 
 #include <glm/vec4.hpp>
 
@@ -11,7 +12,6 @@
 #include <array>
 #include <vector>
 
-class vtkOpenGLRenderWindow;
 class vtkRenderer;
 class vtkTextureObject;
 class vtkVolume;
@@ -56,6 +56,15 @@ struct CellProjectionFrame
       box[k + 2] = std::min(this->Box[k] + this->Box[k + 2] + by, this->Size[k]) - box[k];
     }
     return box;
+  }
+
+  /// Makes the window current again where an observer may have drawn elsewhere.
+  void ReturnToWindow() const
+  {
+    if (!this->Window->IsCurrent())
+    {
+      this->Window->MakeCurrent();
+    }
   }
 
   RasterView GetRasterView() const

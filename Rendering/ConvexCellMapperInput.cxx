@@ -77,9 +77,6 @@ void vtkConvexCellMapper::EndPreparation(CellProjectionFrame& frame)
     this->UpdateProgress(1.0);
     this->Internal->IsPreparing = false;
   }
-  // Observers of the progress or of a warning may have drawn elsewhere.
-  if (!frame.Window->IsCurrent())
-  {
-    frame.Window->MakeCurrent();
-  }
+  // Observers of the progress or of a warning.
+  frame.ReturnToWindow();
 }

@@ -76,11 +76,8 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
   }
   this->ReadOpaqueDepth(frame);
   const float* image = this->DrawTiles(frame);
-  // What the abort check wakes may draw elsewhere.
-  if (!frame.Window->IsCurrent())
-  {
-    frame.Window->MakeCurrent();
-  }
+  // What the abort check wakes.
+  frame.ReturnToWindow();
   frame.Pixels = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
   frame.Statistics.CellsDrawn = image ? frame.Statistics.CellsDrawn : 0;
   return image != nullptr;

@@ -101,9 +101,8 @@ void ProjectLanes(const TileRecords& records, int lane, const TileView& view, Pr
     const auto bit = hn::Set(di, 1 << f);
     const auto above = hn::RebindMask(di, hn::Gt(areas[f], hn::Zero(d)));
     const auto below = hn::RebindMask(di, hn::Lt(areas[f], hn::Zero(d)));
-    // The normals of faces 0 and 2 point out of a cell of positive orientation.
-    exits = hn::Or(exits, hn::IfThenElseZero(f % 2 == 1 ? above : below, bit));
-    entries = hn::Or(entries, hn::IfThenElseZero(f % 2 == 1 ? below : above, bit));
+    exits = hn::Or(exits, hn::IfThenElseZero(TileMesh::IsInward(f) ? above : below, bit));
+    entries = hn::Or(entries, hn::IfThenElseZero(TileMesh::IsInward(f) ? below : above, bit));
     const auto isThin = hn::RebindMask(di, hn::Le(hn::Abs(areas[f]), turns));
     thin = hn::Or(thin, hn::IfThenElseZero(isThin, bit));
   }
@@ -140,7 +139,7 @@ void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices
     const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
                        (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
     const bool isUnsure =
-      (exits | entries) != TileCells::AllFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
+      (exits | entries) != TileCells::ExitFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
     cells.Faces[cell] = static_cast<std::uint8_t>((exits & linked) |
       ((entries & ~linked) != 0 ? TileCells::Entered : 0) | (isUnsure ? TileCells::Unsure : 0) |
       (group.Outside[k] ? TileCells::Exact : 0));

@@ -47,7 +47,6 @@ public:
   static constexpr std::uint32_t NoTile = 0x00ff00ffu;
   /** Of Faces: bit f for face f, through which rays leave towards a neighbour. */
   static constexpr std::uint8_t ExitFaces = 15;
-  static constexpr int AllFaces = 15;
   /** Of Faces: rays enter the mesh through a face of the cell. */
   static constexpr std::uint8_t Entered = 16;
   /** Of Faces: what its faces say of the order is not certain: one is seen edge-on, or so nearly that

@@ -15,8 +15,6 @@ namespace
 {
 // Cells whose corners are fetched before their turn.
 constexpr std::size_t Ahead = 4;
-// The corners of the face opposite corner f, ascending.
-constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
 // The first whole number from `at` on, in the tile or at its end.
 int FirstFrom(double at)
@@ -71,11 +69,10 @@ bool TileEntries::AddCell(const TileTask& task, const TileRectangle& tile, int c
   bool isSingle = true;
   for (int f = 0; f < 4; ++f)
   {
-    const Point &a = corners[FaceCorners[f][0]], &b = corners[FaceCorners[f][1]];
-    const Point& c = corners[FaceCorners[f][2]];
+    const Point &a = corners[TileMesh::FaceCorners[f][0]], &b = corners[TileMesh::FaceCorners[f][1]];
+    const Point& c = corners[TileMesh::FaceCorners[f][2]];
     const double area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
-    // The normals of faces 0 and 2 point out of a cell of positive orientation.
-    const bool enters = area != 0.0 && (area > 0.0) == ((f % 2 == 0) == positive);
+    const bool enters = area != 0.0 && (area > 0.0) != (TileMesh::IsInward(f) == positive);
     isSingle = isSingle && (task.Mesh->Neighbours[first + f] >= 0 || !enters || this->AddFace(a, b, c));
   }
   return isSingle;

@@ -13,9 +13,6 @@
 
 namespace
 {
-constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
-// Whether the normal of a face's ascending corners points into a cell of positive orientation.
-constexpr bool IsInward[4] = { false, true, false, true };
 // Along no face of a tidy mesh.
 const glm::dvec3 NudgeDirection(0.6180340, 0.4142136, 0.2360680);
 // Of the sum of a plane's terms: what is below is rounding.
@@ -79,7 +76,7 @@ void TileExactCell::SetPlanes(const TileMesh& mesh, const TileView& view, int ce
   const double farthest = std::max(view.Width, view.Height);
   for (int f = 0; f < 4; ++f)
   {
-    const int* side = FaceCorners[f];
+    const int* side = TileMesh::FaceCorners[f];
     const glm::dvec3 a = PointOf(mesh, cell, side[0]);
     const glm::dvec3 cross =
       glm::cross(PointOf(mesh, cell, side[1]) - a, PointOf(mesh, cell, side[2]) - a);
@@ -99,7 +96,7 @@ void TileExactCell::SetPlanes(const TileMesh& mesh, const TileView& view, int ce
                                             TermsOf(view.PlaneToScreen, 3, inMesh))
                              : 0.0;
     plane.Nudge = glm::dot(normal, NudgeDirection) > 0.0 ? 1e-100 : -1e-100;
-    plane.IsEntry = (plane.C < 0.0) == (IsInward[f] == positive);
+    plane.IsEntry = (plane.C < 0.0) == (TileMesh::IsInward(f) == positive);
   }
 }
 

@@ -120,9 +120,8 @@ void TileMesh::FindSteps()
 //------------------------------------------------------------------------------
 bool TileMesh::IsFolded(int cell) const
 {
-  // Of ascending corners: the normal of faces 1 and 3 points into a cell of positive orientation.
   auto liesAbove = [this](int which, int face)
-  { return (this->Orientations[which] > 0) == (face % 2 == 1); };
+  { return (this->Orientations[which] > 0) == IsInward(face); };
   bool isFolded = this->Orientations[cell] == 0;
   for (int f = 0; f < 4; ++f)
   {

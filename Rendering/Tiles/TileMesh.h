@@ -29,6 +29,11 @@ public:
    *  are most they do not even that (IsSparse). False where nothing changes. */
   bool SetDrawn(const std::vector<unsigned char>& drawn);
 
+  /** The corners of the face opposite corner f, ascending, and whether their normal points into a cell of
+   *  positive orientation. */
+  static constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
+  static constexpr bool IsInward(int face) { return face % 2 == 1; }
+
   int GetNumberOfCells() const { return static_cast<int>(this->Source.size()); }
   int GetNumberOfPoints() const { return static_cast<int>(this->Points.size() / 4); }
   std::size_t GetMemorySize() const;

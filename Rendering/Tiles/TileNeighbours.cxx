@@ -1,5 +1,6 @@
 #include "TileNeighbours.h"
 
+#include "TileMesh.h"
 #include "vtkSMPTools.h"
 
 #include <algorithm>
@@ -16,8 +17,6 @@ struct Face
   int Place;
 };
 
-// The corners of the face opposite corner f, ascending.
-constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
 void Link(Face* begin, Face* end, std::vector<int>& neighbours)
 {
@@ -54,7 +53,7 @@ std::vector<int> TileNeighbours::Find(const std::vector<int>& corners, int numbe
   for (std::size_t at = 0; at < corners.size(); ++at)
   {
     const int* own = &corners[at - at % 4];
-    const int* side = FaceCorners[at % 4];
+    const int* side = TileMesh::FaceCorners[at % 4];
     faces[first[own[side[0]] + 1]++] = { { { own[side[1]], own[side[2]] } }, static_cast<int>(at) };
   }
   std::vector<int> neighbours(corners.size(), -1);

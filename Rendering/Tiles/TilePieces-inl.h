@@ -50,6 +50,15 @@ struct MemoryLookUp
   }
 };
 
+/// The piece of one scalar.
+template <class Table>
+int FindPiece(const Table& table, float scalar)
+{
+  const auto begin = table.Bounds.begin() + 1;
+  const auto end = table.Bounds.begin() + table.NumberOfPieces;
+  return static_cast<int>(std::upper_bound(begin, end, scalar) - begin);
+}
+
 /// Of fragments that all lie in one piece.
 struct OnePieceLookUp
 {
@@ -64,9 +73,7 @@ struct OnePieceLookUp
   HWY_INLINE bool Take(const Table& table, ShadeVector least, ShadeVector greatest)
   {
     const ShadeFloat d;
-    const auto begin = table.Bounds.begin() + 1;
-    const auto end = table.Bounds.begin() + table.NumberOfPieces;
-    this->Piece = static_cast<int>(std::upper_bound(begin, end, hn::GetLane(least)) - begin);
+    this->Piece = FindPiece(table, hn::GetLane(least));
     const auto above = hn::Le(hn::Set(d, table.Bounds[this->Piece]), least);
     const auto below = hn::Le(greatest, hn::Set(d, table.Bounds[this->Piece + 1]));
     return hn::AllTrue(d, hn::And(above, below));

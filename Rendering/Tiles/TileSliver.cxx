@@ -15,7 +15,6 @@ using Point = std::array<double, 2>;
 
 // How far rounding may move a coordinate, as its share.
 constexpr double Rounding = 1.0 / (1 << 24);
-constexpr int FaceCorners[4][3] = { { 1, 2, 3 }, { 0, 2, 3 }, { 0, 1, 3 }, { 0, 1, 2 } };
 
 // Whether a pixel lies within `margin` of the edge, across the axis that it runs along.
 bool IsNearPixel(const Point& from, const Point& to, double margin, const TileView& view)
@@ -64,7 +63,7 @@ bool FaceMeetsPixel(const Point (&corners)[3], const TileView& view)
 bool TileSliver::MeetsPixel(
   const TileMesh& mesh, const TileView& view, const TileVertices& vertices, int cell)
 {
-  return std::any_of(std::begin(FaceCorners), std::end(FaceCorners),
+  return std::any_of(std::begin(TileMesh::FaceCorners), std::end(TileMesh::FaceCorners),
     [&](const int (&side)[3])
     {
       Point corners[3];

@@ -76,8 +76,8 @@ struct TileCounts
   long long Pieces = 0;
   /** Of vectors that were shaded. */
   long long ShadedLanes = 0;
-  /** Of the blocks of pixels that coverage looked at, and those that cells covered: where stages are
-   *  timed. */
+  /** Of the blocks of pixels that coverage looked at, where stages are timed, and those that cells
+   *  covered. */
   long long LanesOfBlocks = 0;
   long long CoveredLanes = 0;
   long long RepairedPixels = 0;

@@ -18,8 +18,6 @@
 
 #include <hwy/highway.h>
 
-#include <algorithm>
-
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
 {
@@ -76,9 +74,7 @@ public:
   /// Goes over to the piece of a scalar; says whether it is another one.
   bool TakePieceOf(float scalar)
   {
-    const auto begin = this->Transfer.Bounds.begin() + 1;
-    const auto end = this->Transfer.Bounds.begin() + this->Transfer.NumberOfPieces;
-    const int piece = static_cast<int>(std::upper_bound(begin, end, scalar) - begin);
+    const int piece = FindPiece(this->Transfer, scalar);
     const bool isOther = piece != this->Piece;
     this->Take(piece);
     return isOther;

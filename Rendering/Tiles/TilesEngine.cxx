@@ -215,7 +215,7 @@ bool TilesEngine::Project(const Scene& scene)
 {
   const auto start = TileClock::Wall::now();
   const bool isDrawn = TileLoop::Run(this->Bins.GetHeaviestFirst(), this->TilesX, scene.IsAborted, this->Scratch,
-    [&](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch, scene.TimesStages); });
+    [this](int tile, TileScratch& scratch) { this->DrawTile(tile, scratch); });
   this->CollectStages(std::chrono::duration<double>(TileClock::Wall::now() - start).count());
   this->Counts = this->Scratch.CollectCounts();
   // Of a frame that was given up some tiles have put their lists in order, the others have not.
@@ -225,9 +225,9 @@ bool TilesEngine::Project(const Scene& scene)
 }
 
 //------------------------------------------------------------------------------
-void TilesEngine::DrawTile(int tile, TileScratch& scratch, bool isTimed)
+void TilesEngine::DrawTile(int tile, TileScratch& scratch)
 {
-  scratch.Clock.Begin(isTimed);
+  scratch.Clock.Begin(this->Clock.GetIsOn());
   const TileRectangle rectangle =
     TileRectangle::OfTile(tile, this->View.Width, this->View.Height);
   if (!this->IsSorted)

@@ -101,7 +101,7 @@ private:
   void SetLighting(const Scene& scene);
   bool Project(const Scene& scene);
   void SortTile(int tile, const TileRectangle& rectangle, TileScratch& scratch);
-  void DrawTile(int tile, TileScratch& scratch, bool isTimed);
+  void DrawTile(int tile, TileScratch& scratch);
   void CollectStages(double secondsOfTiles);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
 
