@@ -1,6 +1,7 @@
 #include "FrameStages.h"
 
 #include "BenchmarkScene.h"
+#include "TileStages.h"
 
 #include "vtkPreIntegratedTetrahedraMapper.h"
 #include "vtkTable.h"
@@ -12,8 +13,15 @@
 //------------------------------------------------------------------------------
 const std::vector<const char*>& FrameStages::GetNames()
 {
-  static const std::vector<const char*> names{ "Cull", "Transform", "Box", "Bin", "Order", "SetUp",
-    "Cover", "Shade", "Composite", "Repair", "Write", "Wait" };
+  static const std::vector<const char*> names = []
+  {
+    std::vector<const char*> all;
+    for (int stage = 0; stage < TileStages::Other; ++stage)
+    {
+      all.push_back(TileStages::GetName(stage));
+    }
+    return all;
+  }();
   return names;
 }
 

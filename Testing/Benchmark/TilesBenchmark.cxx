@@ -1,16 +1,16 @@
 #include "TilesBenchmark.h"
 
+#include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
 #include "ThreadHandOver.h"
 
-#include "vtkPreIntegratedTetrahedraMapper.h"
+#include "vtkConvexCellMapper.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkUnstructuredGridVolumeRayCastMapper.h"
-#include "vtkUnstructuredGridVolumeZSweepMapper.h"
+#include "vtkUnstructuredGridVolumeMapper.h"
 #include "vtkVariant.h"
 
 #include <algorithm>
@@ -31,21 +31,9 @@ vtkSmartPointer<vtkUnstructuredGrid> MakeLattice(int cells)
   return grid;
 }
 
-vtkSmartPointer<vtkPreIntegratedTetrahedraMapper> MakeTiles()
+vtkSmartPointer<vtkUnstructuredGridVolumeMapper> MakeTiles()
 {
-  auto mapper = vtkSmartPointer<vtkPreIntegratedTetrahedraMapper>::New();
-  mapper->SetEngineToTiles();
-  return mapper;
-}
-
-template <class RayCaster>
-vtkSmartPointer<RayCaster> MakeRayCaster()
-{
-  auto mapper = vtkSmartPointer<RayCaster>::New();
-  // A ray for every pixel, as Tiles.
-  mapper->AutoAdjustSampleDistancesOff();
-  mapper->SetImageSampleDistance(1.0f);
-  return mapper;
+  return BenchmarkMapper::Tiles().Make();
 }
 
 struct View
@@ -80,7 +68,7 @@ void PrintStages(const std::string& name, vtkUnstructuredGrid* grid, const View&
     {
       for (int i = 0; i < 4; ++i)
       {
-        vtkTable* statistics = mapper->GetLastStatistics();
+        vtkTable* statistics = vtkConvexCellMapper::SafeDownCast(mapper)->GetLastStatistics();
         seconds[i].push_back(statistics->GetValueByName(0, stages[i]).ToDouble());
       }
     });
@@ -156,9 +144,9 @@ void CompareCasters(int frames)
   const int few = std::min(frames, FewFrames);
   const double tiles = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
   const double bunyk = TimeFrames(
-    MakeRayCaster<vtkUnstructuredGridVolumeRayCastMapper>(), grid, { ImageSize, frames });
+    BenchmarkMapper::Bunyk().Make(), grid, { ImageSize, frames });
   const double sweep = TimeFrames(
-    MakeRayCaster<vtkUnstructuredGridVolumeZSweepMapper>(), grid, { ImageSize, few });
+    BenchmarkMapper::ZSweep().Make(), grid, { ImageSize, few });
   std::printf("%-28s %7d %10.1f %8.1f\n", "ours, Tiles", frames, 1e3 * tiles, 1.0);
   std::printf("%-28s %7d %10.1f %8.1f\n", "VTK Bunyk", frames, 1e3 * bunyk, bunyk / tiles);
   std::printf("%-28s %7d %10.1f %8.1f\n", "VTK ZSweep", few, 1e3 * sweep, sweep / tiles);
