@@ -58,14 +58,9 @@ struct CellProjectionFrame
     return box;
   }
 
-  /// Makes the window current again where an observer may have drawn elsewhere.
-  void ReturnToWindow() const
-  {
-    if (!this->Window->IsCurrent())
-    {
-      this->Window->MakeCurrent();
-    }
-  }
+  /// Makes the window current again where an observer may have drawn elsewhere. Unasked: under EGL every window says
+  /// that it is current.
+  void ReturnToWindow() const { this->Window->MakeCurrent(); }
 
   RasterView GetRasterView() const
   {
