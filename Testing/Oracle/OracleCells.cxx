@@ -8,7 +8,7 @@ void OracleCells::AddTetrahedron(const std::vector<OracleVertex>& vertices)
 {
   if (IsSolid(vertices))
   {
-    this->TetrahedronSpheres.push_back(GetSphere(vertices));
+    this->TetrahedronSpheres.Add(vertices);
     this->Tetrahedra.emplace_back(
       std::array<OracleVertex, 4>{ vertices[0], vertices[1], vertices[2], vertices[3] });
   }
@@ -36,31 +36,33 @@ void OracleCells::AddPolyhedron(
       faces.push_back(face);
     }
   }
-  const Sphere sphere = GetSphere(vertices);
-  if (OraclePolyhedron::IsConvex(faces, sphere.Center))
+  const OracleVector center = OracleSpheres::GetCenter(vertices);
+  if (OraclePolyhedron::IsConvex(faces, center))
   {
-    this->PolyhedronSpheres.push_back(sphere);
-    this->Polyhedra.emplace_back(faces, sphere.Center);
+    this->PolyhedronSpheres.Add(vertices);
+    this->Polyhedra.emplace_back(faces, center);
   }
   else
   {
-    this->WarpedSpheres.push_back(sphere);
+    this->WarpedSpheres.Add(vertices);
     this->WarpedCells.emplace_back(faces);
   }
 }
 
 //------------------------------------------------------------------------------
 template <typename Cell>
-void OracleCells::Clip(const OracleRay& ray, const std::vector<Sphere>& spheres,
+void OracleCells::Clip(const OracleRay& ray, const OracleSpheres& spheres,
   const std::vector<Cell>& cells, std::vector<OracleSegment>& segments)
 {
   OracleSegment segment;
-  for (std::size_t index = 0; index < cells.size(); ++index)
+  for (std::size_t index = 0; index < cells.size();)
   {
-    if (Meets(ray, spheres[index]) && cells[index].Clip(ray, segment))
+    const std::size_t missed = spheres.CountMissed(ray, index);
+    if (missed == 0 && cells[index].Clip(ray, segment))
     {
       segments.push_back(segment);
     }
+    index += std::max<std::size_t>(missed, 1);
   }
 }
 
@@ -102,28 +104,4 @@ bool OracleCells::IsSolid(const std::vector<OracleVertex>& vertices)
   }
   // Rounding of the coordinates alone gives a flat cell a few units in the last place of thickness.
   return finite && thickness > 1e-15 * normal.Length() * size;
-}
-
-//------------------------------------------------------------------------------
-OracleCells::Sphere OracleCells::GetSphere(const std::vector<OracleVertex>& vertices)
-{
-  OracleVector center;
-  for (const OracleVertex& vertex : vertices)
-  {
-    center = center + vertex.Position * (1.0 / static_cast<double>(vertices.size()));
-  }
-  double radius = 0.0;
-  for (const OracleVertex& vertex : vertices)
-  {
-    radius = std::max(radius, (vertex.Position - center).Length());
-  }
-  // A margin for the rounding of the distance: a sphere may only be too large.
-  return { center, radius * 1.001 + 1e-12 * center.Length() };
-}
-
-//------------------------------------------------------------------------------
-bool OracleCells::Meets(const OracleRay& ray, const Sphere& sphere)
-{
-  const OracleVector offset = (sphere.Center - ray.Origin).Cross(ray.Direction);
-  return offset.Dot(offset) <= sphere.Radius * sphere.Radius;
 }

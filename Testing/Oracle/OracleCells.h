@@ -7,6 +7,7 @@
 #define OracleCells_h
 
 #include "OraclePolyhedron.h"
+#include "OracleSpheres.h"
 #include "OracleTetrahedron.h"
 #include "OracleWarpedCell.h"
 
@@ -30,23 +31,15 @@ public:
   void Clip(const OracleRay& ray, std::vector<OracleSegment>& segments) const;
 
 private:
-  struct Sphere
-  {
-    OracleVector Center;
-    double Radius;
-  };
-
   template <typename Cell>
-  static void Clip(const OracleRay& ray, const std::vector<Sphere>& spheres,
+  static void Clip(const OracleRay& ray, const OracleSpheres& spheres,
     const std::vector<Cell>& cells, std::vector<OracleSegment>& segments);
-  static Sphere GetSphere(const std::vector<OracleVertex>& vertices);
-  static bool Meets(const OracleRay& ray, const Sphere& sphere);
 
-  std::vector<Sphere> TetrahedronSpheres;
+  OracleSpheres TetrahedronSpheres;
   std::vector<OracleTetrahedron> Tetrahedra;
-  std::vector<Sphere> PolyhedronSpheres;
+  OracleSpheres PolyhedronSpheres;
   std::vector<OraclePolyhedron> Polyhedra;
-  std::vector<Sphere> WarpedSpheres;
+  OracleSpheres WarpedSpheres;
   std::vector<OracleWarpedCell> WarpedCells;
 };
 

@@ -42,18 +42,13 @@ OracleFunctions::OracleFunctions(vtkVolumeProperty* property)
 //------------------------------------------------------------------------------
 OracleFunctions::Line OracleFunctions::MakeLine(double first, double last) const
 {
-  const auto ask = [this](double scalar) -> std::array<double, 4>
-  {
-    const std::array<double, 3> color = this->AskColor(scalar);
-    return { color[0], color[1], color[2], this->AskOpacity(scalar) };
-  };
   // Inside: a step may lie at either end.
   const double start = first + 0.1 * (last - first), end = first + 0.9 * (last - first);
   Line line;
   line.Start = start;
-  line.Values = ask(start);
+  line.Values = this->AskValues(start);
   line.IsExact = start < end;
-  const std::array<double, 4> values = ask(end);
+  const Values values = this->AskValues(end);
   for (int channel = 0; channel < 4; ++channel)
   {
     line.Slopes[channel] = (values[channel] - line.Values[channel]) / (end - start);
@@ -63,7 +58,7 @@ OracleFunctions::Line OracleFunctions::MakeLine(double first, double last) const
     { 0.0013, 0.0717, 0.1931, 0.3347, 0.4129, 0.5381, 0.6673, 0.8219, 0.9411, 0.9987 })
   {
     const double scalar = first + share * (last - first);
-    const std::array<double, 4> found = ask(scalar);
+    const Values found = this->AskValues(scalar);
     for (int channel = 0; channel < 4; ++channel)
     {
       const double error = std::abs(line.GetValue(channel, scalar) - found[channel]);
@@ -87,19 +82,32 @@ const OracleFunctions::Line* OracleFunctions::FindLine(double scalar) const
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> OracleFunctions::GetColor(double scalar) const
+OracleFunctions::Values OracleFunctions::GetValues(double scalar) const
 {
   const Line* line = this->FindLine(scalar);
-  return line ? std::array<double, 3>{ line->GetValue(0, scalar), line->GetValue(1, scalar),
-                  line->GetValue(2, scalar) }
-              : this->AskColor(scalar);
+  return line ? Values{ line->GetValue(0, scalar), line->GetValue(1, scalar),
+                  line->GetValue(2, scalar), line->GetValue(3, scalar) }
+              : this->AskValues(scalar);
+}
+
+//------------------------------------------------------------------------------
+OracleFunctions::Values OracleFunctions::AskValues(double scalar) const
+{
+  const std::array<double, 3> color = this->AskColor(scalar);
+  return { color[0], color[1], color[2], this->AskOpacity(scalar) };
+}
+
+//------------------------------------------------------------------------------
+std::array<double, 3> OracleFunctions::GetColor(double scalar) const
+{
+  const Values values = this->GetValues(scalar);
+  return { values[0], values[1], values[2] };
 }
 
 //------------------------------------------------------------------------------
 double OracleFunctions::GetOpacity(double scalar) const
 {
-  const Line* line = this->FindLine(scalar);
-  return line ? line->GetValue(3, scalar) : this->AskOpacity(scalar);
+  return this->GetValues(scalar)[3];
 }
 
 //------------------------------------------------------------------------------
@@ -127,12 +135,6 @@ double OracleFunctions::AskOpacity(double scalar) const
 double OracleFunctions::GetGradientOpacity(double magnitude) const
 {
   return this->GradientOpacity ? this->GradientOpacity->GetValue(magnitude) : 1.0;
-}
-
-//------------------------------------------------------------------------------
-double OracleFunctions::GetExtinction(double scalar) const
-{
-  return this->GetOpacity(scalar) / this->UnitDistance;
 }
 
 //------------------------------------------------------------------------------

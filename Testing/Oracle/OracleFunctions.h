@@ -24,6 +24,10 @@ public:
   /** The property must outlive this object; its unit distance must be positive. */
   explicit OracleFunctions(vtkVolumeProperty* property);
 
+  /** RGB and opacity. */
+  using Values = std::array<double, 4>;
+  Values GetValues(double scalar) const;
+
   std::array<double, 3> GetColor(double scalar) const;
 
   /** What is below 0 counts as 0. */
@@ -34,7 +38,7 @@ public:
   bool HasGradientOpacity() const { return this->GradientOpacity != nullptr; }
 
   /** Opacity per world length. */
-  double GetExtinction(double scalar) const;
+  double GetExtinction(const Values& values) const { return values[3] / this->UnitDistance; }
 
   /**
    * Ascending scalars between which both functions are smooth: their nodes, the midpoints between
@@ -67,6 +71,7 @@ private:
   int GetSector(double scalar) const;
   Line MakeLine(double first, double last) const;
   const Line* FindLine(double scalar) const;
+  Values AskValues(double scalar) const;
   std::array<double, 3> AskColor(double scalar) const;
   double AskOpacity(double scalar) const;
 

@@ -160,41 +160,48 @@ OracleIntegrator::Light OracleIntegrator::Estimate(const Piece& piece, bool abso
   using Values = OracleQuadrature::Values;
   Values depth;
   std::array<Values, 3> emission;
+  const OracleSegment& segment = *piece.Segment;
+  const bool hasGradientOpacity = this->Functions.HasGradientOpacity();
   for (int i = 0; i < OracleQuadrature::Size; ++i)
   {
     const double x = this->Quadrature.GetNodes()[i];
     const double scalar = piece.Entry + x * (piece.Exit - piece.Entry);
     const double share = piece.First + x * (piece.Last - piece.First);
-    const std::array<double, 3> color = this->Shade(piece, share, scalar);
-    depth[i] = this->Functions.GetExtinction(scalar) * piece.Length *
-               this->Functions.GetGradientOpacity(piece.Segment->GetGradient(share).Length());
+    const OracleFunctions::Values values = this->Functions.GetValues(scalar);
+    const std::array<double, 3> color = this->Shade(piece, share, values);
+    depth[i] = this->Functions.GetExtinction(values) * piece.Length;
+    if (hasGradientOpacity)
+    {
+      depth[i] *= this->Functions.GetGradientOpacity(segment.GetGradient(share).Length());
+    }
     for (int channel = 0; channel < 3; ++channel)
     {
       emission[channel][i] = color[channel] * depth[i];
     }
   }
-  Values transmittance = this->Quadrature.IntegrateToNodes(depth);
-  for (double& value : transmittance)
-  {
-    value = absorbs ? std::exp(-value) : 1.0;
-  }
   Light light;
   light.Depth = this->Quadrature.Integrate(depth);
+  const Values before = absorbs ? this->Quadrature.IntegrateToNodes(depth) : Values{};
+  for (int i = 0; absorbs && i < OracleQuadrature::Size; ++i)
+  {
+    const double transmittance = std::exp(-before[i]);
+    for (Values& channel : emission)
+    {
+      channel[i] *= transmittance;
+    }
+  }
   for (int channel = 0; channel < 3; ++channel)
   {
-    for (int i = 0; i < OracleQuadrature::Size; ++i)
-    {
-      emission[channel][i] *= transmittance[i];
-    }
     light.Color[channel] = this->Quadrature.Integrate(emission[channel]);
   }
   return light;
 }
 
 //------------------------------------------------------------------------------
-std::array<double, 3> OracleIntegrator::Shade(const Piece& piece, double share, double scalar) const
+std::array<double, 3> OracleIntegrator::Shade(
+  const Piece& piece, double share, const OracleFunctions::Values& values) const
 {
-  const std::array<double, 3> color = this->GetColor(piece, share, scalar);
+  const std::array<double, 3> color = this->GetColor(piece, share, values);
   if (!this->Shading)
   {
     return color;
@@ -207,18 +214,16 @@ std::array<double, 3> OracleIntegrator::Shade(const Piece& piece, double share, 
 
 //------------------------------------------------------------------------------
 std::array<double, 3> OracleIntegrator::GetColor(
-  const Piece& piece, double share, double scalar) const
+  const Piece& piece, double share, const OracleFunctions::Values& values) const
 {
-  const OracleVector own = piece.Segment->GetColor(share);
-  switch (this->Colors)
+  if (this->Colors == OracleColors::OfScalar)
   {
-    case OracleColors::OfOwnScalar:
-      return this->Functions.GetColor(own.X);
-    case OracleColors::Direct:
-      return { own.X, own.Y, own.Z };
-    default:
-      return this->Functions.GetColor(scalar);
+    return { values[0], values[1], values[2] };
   }
+  const OracleVector own = piece.Segment->GetColor(share);
+  return this->Colors == OracleColors::OfOwnScalar
+    ? this->Functions.GetColor(own.X)
+    : std::array<double, 3>{ own.X, own.Y, own.Z };
 }
 
 //------------------------------------------------------------------------------

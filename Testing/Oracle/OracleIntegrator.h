@@ -78,11 +78,13 @@ private:
   std::vector<Piece> Split(const OracleSegment& segment, const OracleRay& ray) const;
   /** Ascending shares of a way from `first` to `last` at which it passes a break; 0 and 1 too. */
   std::vector<double> FindBreaks(double first, double last) const;
-  std::array<double, 3> GetColor(const Piece& piece, double share, double scalar) const;
+  std::array<double, 3> GetColor(
+    const Piece& piece, double share, const OracleFunctions::Values& values) const;
   Light Refine(
     const Piece& piece, const Light& whole, double transmittance, bool absorbs, int level) const;
   Light Estimate(const Piece& piece, bool absorbs) const;
-  std::array<double, 3> Shade(const Piece& piece, double share, double scalar) const;
+  std::array<double, 3> Shade(
+    const Piece& piece, double share, const OracleFunctions::Values& values) const;
   Rgba Project(double scalar) const;
   static Light Join(const Light& front, const Light& back, bool absorbs);
   static bool Agree(const Light& a, const Light& b, double transmittance, bool absorbs);

@@ -13,8 +13,11 @@ const double Rounding = 1e-12;
 //------------------------------------------------------------------------------
 OraclePolyhedron::OraclePolyhedron(const std::vector<OracleFace>& faces, const OracleVector& inside)
   : Faces(faces)
-  , Inside(inside)
 {
+  for (const OracleFace& face : faces)
+  {
+    this->Sides.push_back(face.GetDistance(inside));
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -63,11 +66,12 @@ OracleSegment OraclePolyhedron::FindWhole(const OracleRay& ray) const
 {
   const double infinity = std::numeric_limits<double>::infinity();
   OracleSegment whole = { -infinity, infinity, 0.0, 0.0 };
-  for (const OracleFace& face : this->Faces)
+  for (std::size_t index = 0; index < this->Faces.size(); ++index)
   {
+    const OracleFace& face = this->Faces[index];
     const double height = face.GetNormal().Dot(ray.Origin - face.GetPoint());
     const double slope = face.GetNormal().Dot(ray.Direction);
-    const double side = face.GetDistance(this->Inside);
+    const double side = this->Sides[index];
     if (slope * side > 0.0)
     {
       whole.Entry = std::max(whole.Entry, -height / slope);

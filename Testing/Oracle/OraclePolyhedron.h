@@ -31,7 +31,7 @@ private:
   double Interpolate(const OracleVector& position) const;
 
   std::vector<OracleFace> Faces;
-  OracleVector Inside;
+  std::vector<double> Sides; // the distance of the position within from each face's plane
 };
 
 #endif

@@ -12,7 +12,8 @@ OracleShading::Color OracleShading::Shade(const Color& kappa, const OracleVector
     const double share = light.GetShareAt(point);
     const OracleVector toLight = light.GetDirectionFrom(point);
     const double cosine = std::abs(normal.Dot(toLight));
-    const double highlight = length > 0.0 ? this->GetHighlight(normal, toLight, toEye) : 0.0;
+    const bool shines = length > 0.0 && this->Specular != 0.0;
+    const double highlight = shines ? this->GetHighlight(normal, toLight, toEye) : 0.0;
     for (int i = 0; i < 3; ++i)
     {
       const double arriving = share * light.Diffuse[i];

@@ -28,12 +28,13 @@ bool OracleWarpedCell::Clip(const OracleRay& ray, OracleSegment& segment) const
 {
   const double infinity = std::numeric_limits<double>::infinity();
   OracleSegment whole = { infinity, -infinity, 0.0, 0.0 };
+  const Projected nudge(ray, OracleRay::GetNudge());
   for (const OracleFace& face : this->Faces)
   {
     for (const OracleFace::Triangle& triangle : face.GetTriangles())
     {
       double t, scalar;
-      if (Intersect(ray, triangle, t, scalar))
+      if (Intersect(ray, nudge, triangle, t, scalar))
       {
         whole.EntryScalar = t < whole.Entry ? scalar : whole.EntryScalar;
         whole.ExitScalar = t > whole.Exit ? scalar : whole.ExitScalar;
@@ -53,13 +54,12 @@ bool OracleWarpedCell::Clip(const OracleRay& ray, OracleSegment& segment) const
 }
 
 //------------------------------------------------------------------------------
-bool OracleWarpedCell::Intersect(
-  const OracleRay& ray, const OracleFace::Triangle& triangle, double& t, double& scalar)
+bool OracleWarpedCell::Intersect(const OracleRay& ray, const Projected& nudge,
+  const OracleFace::Triangle& triangle, double& t, double& scalar)
 {
   const Projected a(ray, triangle[0].Position - ray.Origin);
   const Projected b(ray, triangle[1].Position - ray.Origin);
   const Projected c(ray, triangle[2].Position - ray.Origin);
-  const Projected nudge(ray, OracleRay::GetNudge());
   // An edge runs from its smaller id in all of its triangles, so that they see the same area.
   const double ab = a.Cross(b), bc = b.Cross(c), ac = a.Cross(c);
   const int side = GetSide(ab, a, b, nudge);

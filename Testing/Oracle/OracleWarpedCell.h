@@ -35,8 +35,8 @@ private:
     double Cross(const Projected& other) const;
   };
 
-  static bool Intersect(
-    const OracleRay& ray, const OracleFace::Triangle& triangle, double& t, double& scalar);
+  static bool Intersect(const OracleRay& ray, const Projected& nudge,
+    const OracleFace::Triangle& triangle, double& t, double& scalar);
   static int GetSide(double area, const Projected& p, const Projected& q, const Projected& nudge);
 
   std::vector<OracleFace> Faces;
