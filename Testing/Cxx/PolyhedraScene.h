@@ -57,7 +57,7 @@ public:
   /**
    * Renders, then compares with the oracle, apart in the pixels within 1/64 pixel of a silhouette:
    * those where the oracle's rays that far to either side do not all meet the mesh, or an extremum
-   * jumps. Prints all the figures.
+   * jumps; they are looked for where some pixel is off by more than the bound. Prints all the figures.
    */
   Errors CompareWithOracle(const std::string& name);
 
@@ -70,7 +70,7 @@ public:
   void CheckMostPixels(TestChecks& checks, const std::string& name, int line);
 
 private:
-  std::vector<vtkSmartPointer<vtkImageData>> OracleImages();
+  std::vector<vtkSmartPointer<vtkImageData>> ImagesBeside();
 };
 
 #endif
