@@ -17,10 +17,14 @@ struct TileBuffer
     float Red, Green, Blue, Through;
   };
 
-  void Clear()
+  /** Pixels that need no proof of their order leave LastExits alone. */
+  void Clear(bool forProof)
   {
     std::fill_n(this->Pixels, Size, Pixel{ 0.0f, 0.0f, 0.0f, 1.0f });
-    std::fill_n(this->LastExits, Size, 3e38f);
+    if (forProof)
+    {
+      std::fill_n(this->LastExits, Size, 3e38f);
+    }
     if (this->HasWrong)
     {
       std::fill_n(this->Wrong, Size, static_cast<unsigned char>(0));

@@ -109,6 +109,12 @@ bool TilesEngine::SetView(const Scene& scene)
   }
   this->TilesX = TileSize::CountOf(this->View.Width);
   this->TilesY = TileSize::CountOf(this->View.Height);
+  const bool isSameSize =
+    scene.Camera.Width == this->SeenCamera.Width && scene.Camera.Height == this->SeenCamera.Height;
+  if (!isSameSize || this->IsBlank.empty())
+  {
+    this->IsBlank.assign(static_cast<std::size_t>(this->TilesX) * this->TilesY, 0);
+  }
   this->SeenCamera = scene.Camera;
   this->HasView = true;
   return true;
@@ -240,8 +246,28 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   std::copy_if(cells, cells + this->Bins.GetSize(tile), std::back_inserter(scratch.Drawn), isDrawn);
   scratch.IsInOrder = this->Task.TrustsOrder && this->InOrder[tile] != 0;
   scratch.Clock.Lap(TileStages::Order);
-  TileProjection::Draw(this->Task, rectangle, scratch);
+  if (scratch.Drawn.empty())
+  {
+    this->ClearTile(tile, rectangle);
+    scratch.Clock.Lap(TileStages::Write);
+  }
+  else
+  {
+    this->IsBlank[tile] = 0;
+    TileProjection::Draw(this->Task, rectangle, scratch);
+  }
   scratch.Clock.End();
+}
+
+// What was empty in the frame before stays as it is.
+void TilesEngine::ClearTile(int tile, const TileRectangle& rectangle)
+{
+  for (int y = rectangle.FirstY; this->IsBlank[tile] == 0 && y <= rectangle.LastY; ++y)
+  {
+    const std::size_t first = static_cast<std::size_t>(y) * this->View.Width + rectangle.FirstX;
+    std::fill_n(&this->Image[4 * first], 4 * (rectangle.LastX + 1 - rectangle.FirstX), 0.0f);
+  }
+  this->IsBlank[tile] = 1;
 }
 
 //------------------------------------------------------------------------------

@@ -102,6 +102,7 @@ private:
   bool Project(const Scene& scene);
   void SortTile(int tile, const TileRectangle& rectangle, TileScratch& scratch);
   void DrawTile(int tile, TileScratch& scratch);
+  void ClearTile(int tile, const TileRectangle& rectangle);
   void CollectStages(double secondsOfTiles);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
 
@@ -121,6 +122,8 @@ private:
   TileClock Clock;
   TileStages Stages;
   std::vector<float> Image;
+  // Of each tile: whether the image has nothing there.
+  std::vector<unsigned char> IsBlank;
   // Of each tile whose list is sorted: whether it is known to be right.
   std::vector<unsigned char> InOrder;
   int TilesX = 0, TilesY = 0;
