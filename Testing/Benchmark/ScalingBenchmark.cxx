@@ -22,6 +22,7 @@
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <tuple>
 #include <utility>
 
@@ -38,7 +39,25 @@ struct Case
   int Cubes = 0;
   int Size = 0;
   bool IsSpiky = false;
+  int Threads = 0;
 };
+
+// What one mapper draws of one case.
+struct Run
+{
+  std::size_t Case = 0;
+  BenchmarkMapper Mapper;
+  ScalingRow Row;
+  std::unique_ptr<BenchmarkScene> Scene;
+};
+
+void UseThreads(int threads)
+{
+  if (vtkSMPTools::GetEstimatedNumberOfThreads() != threads)
+  {
+    vtkSMPTools::Initialize(threads);
+  }
+}
 
 class Scaling
 {
@@ -61,13 +80,13 @@ public:
   void CompareThreads();
 
 private:
-  using Scene = std::unique_ptr<BenchmarkScene>;
   void TakeLattice(int cubes);
-  void Compare(const Case& what, const std::vector<BenchmarkMapper>& mappers);
-  std::vector<ScalingRow> Measure(const Case& what, std::vector<BenchmarkMapper> mappers);
+  void Compare(const std::vector<Case>& cases, const std::vector<BenchmarkMapper>& mappers);
+  std::vector<Run> Show(const std::vector<Case>& cases, const std::vector<BenchmarkMapper>& mappers);
   bool IsLeftOut(const ScalingRow& row, double growth) const;
   ScalingRow Begin(const Case& what, const BenchmarkMapper& mapper) const;
-  void TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const;
+  void TimeFirst(Run& run) const;
+  void TimeFrames(std::vector<Run>& runs) const;
   void MeasureError(const Case& what, const BenchmarkMapper& mapper, ScalingRow& row);
   void Report(const std::vector<ScalingRow>& rows);
   void PrintStages() const;
@@ -81,8 +100,6 @@ private:
   std::map<std::pair<int, bool>, vtkSmartPointer<vtkCellProjectionOracle>> Oracles;
   // By mesh, function, method and threads.
   std::map<std::tuple<int, bool, std::string, int>, BenchmarkError> Errors;
-  // By cubes, size, function, threads and number of mappers.
-  std::map<std::tuple<int, int, bool, int, int>, std::vector<ScalingRow>> Measured;
   // By method and function.
   std::map<std::pair<std::string, bool>, ScalingRow> Last;
   std::vector<ScalingRow> Timed;
@@ -107,7 +124,7 @@ ScalingRow Scaling::Begin(const Case& what, const BenchmarkMapper& mapper) const
   row.Sweep = what.Sweep;
   row.Cells = this->Lattice->GetNumberOfCells();
   row.Size = what.Size;
-  row.Threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  row.Threads = what.Threads;
   row.IsSpiky = what.IsSpiky;
   row.Method = mapper.Name;
   row.Engine = mapper.Engine;
@@ -139,18 +156,19 @@ bool Scaling::IsLeftOut(const ScalingRow& row, double growth) const
   return false;
 }
 
-// Interleaved, so that whatever else the machine does meets all.
-void Scaling::TimeFrames(std::vector<Scene>& scenes, std::vector<ScalingRow>& rows) const
+// In turns, so that whatever else the machine does meets all.
+void Scaling::TimeFrames(std::vector<Run>& runs) const
 {
-  std::vector<double> spent(scenes.size());
+  std::vector<double> spent(runs.size());
   for (int frame = 1; frame <= this->Frames; ++frame)
   {
-    for (std::size_t i = 0; i < scenes.size(); ++i)
+    for (std::size_t i = 0; i < runs.size(); ++i)
     {
       if (spent[i] < this->With.SecondsPerRow)
       {
-        rows[i].Frames.push_back(scenes[i]->TimeFrame(frame));
-        spent[i] += rows[i].Frames.back();
+        UseThreads(runs[i].Row.Threads);
+        runs[i].Row.Frames.push_back(runs[i].Scene->TimeFrame(frame));
+        spent[i] += runs[i].Row.Frames.back();
       }
     }
   }
@@ -179,50 +197,55 @@ void Scaling::MeasureError(const Case& what, const BenchmarkMapper& mapper, Scal
 }
 
 //------------------------------------------------------------------------------
-std::vector<ScalingRow> Scaling::Measure(const Case& what, std::vector<BenchmarkMapper> mappers)
+void Scaling::TimeFirst(Run& run) const
 {
-  this->TakeLattice(what.Cubes);
-  mappers.erase(std::remove_if(mappers.begin(), mappers.end(),
-                  [&](const BenchmarkMapper& mapper)
-                  { return this->IsLeftOut(this->Begin(what, mapper), mapper.Growth); }),
-    mappers.end());
-  std::vector<ScalingRow> rows;
-  std::vector<Scene> scenes;
-  for (const BenchmarkMapper& mapper : mappers)
+  UseThreads(run.Row.Threads);
+  run.Row.First = run.Scene->TimeFrame(0);
+  if (auto* ours = vtkConvexCellMapper::SafeDownCast(run.Scene->Volume->GetMapper()))
   {
-    rows.push_back(this->Begin(what, mapper));
-    scenes.push_back(mapper.Show(this->Lattice, what.Size, what.IsSpiky));
-    rows.back().First = scenes.back()->TimeFrame(0);
-    if (auto* ours = vtkConvexCellMapper::SafeDownCast(scenes.back()->Volume->GetMapper()))
-    {
-      rows.back().Prepare =
-        ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
-    }
+    run.Row.Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
   }
-  this->TimeFrames(scenes, rows);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-  {
-    rows[i].Stages = FrameStages::Measure(*scenes[i], static_cast<int>(rows[i].Frames.size()));
-    scenes[i].reset();
-    this->MeasureError(what, mappers[i], rows[i]);
-  }
-  return rows;
 }
 
-// What two tables have is measured once.
-void Scaling::Compare(const Case& what, const std::vector<BenchmarkMapper>& mappers)
+// A mapper's cases follow each other, so that their frames are compared as soon as they are drawn.
+std::vector<Run> Scaling::Show(const std::vector<Case>& cases, const std::vector<BenchmarkMapper>& mappers)
 {
-  std::vector<ScalingRow>& rows = this->Measured[{ what.Cubes, what.Size, what.IsSpiky,
-    vtkSMPTools::GetEstimatedNumberOfThreads(), static_cast<int>(mappers.size()) }];
-  if (rows.empty())
+  std::vector<Run> runs;
+  for (const BenchmarkMapper& mapper : mappers)
   {
-    rows = this->Measure(what, mappers);
+    for (std::size_t i = 0; i < cases.size(); ++i)
+    {
+      const ScalingRow row = this->Begin(cases[i], mapper);
+      if (!this->IsLeftOut(row, mapper.Growth))
+      {
+        runs.push_back({ i, mapper, row, mapper.Show(this->Lattice, cases[i].Size, cases[i].IsSpiky) });
+        this->TimeFirst(runs.back());
+        this->Last[{ row.Method, row.IsSpiky }] = runs.back().Row;
+      }
+    }
   }
-  for (ScalingRow& row : rows)
+  return runs;
+}
+
+// Cases of one mesh.
+void Scaling::Compare(const std::vector<Case>& cases, const std::vector<BenchmarkMapper>& mappers)
+{
+  this->TakeLattice(cases.front().Cubes);
+  std::vector<Run> runs = this->Show(cases, mappers);
+  this->TimeFrames(runs);
+  std::vector<std::vector<ScalingRow>> rows(cases.size());
+  for (Run& run : runs)
   {
-    row.Sweep = what.Sweep;
+    UseThreads(run.Row.Threads);
+    run.Row.Stages = FrameStages::Measure(*run.Scene, static_cast<int>(run.Row.Frames.size()));
+    run.Scene.reset();
+    this->MeasureError(cases[run.Case], run.Mapper, run.Row);
+    rows[run.Case].push_back(run.Row);
   }
-  this->Report(rows);
+  for (const std::vector<ScalingRow>& each : rows)
+  {
+    this->Report(each);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -251,12 +274,14 @@ void Scaling::CompareCells()
 {
   std::printf("\nAgainst cells\n");
   ScalingRow::PrintHeader();
+  // Of the largest mesh there is no room for two: one by one.
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
   for (const int cubes : this->With.Cubes)
   {
-    this->Compare({ "cells", cubes, this->With.Size, false },
+    this->Compare({ { "cells", cubes, this->With.Size, false, threads } },
       { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
         BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
-    this->Compare({ "cells", cubes, this->With.Size, true },
+    this->Compare({ { "cells", cubes, this->With.Size, true, threads } },
       { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra() });
   }
 }
@@ -266,12 +291,14 @@ void Scaling::ComparePixels()
 {
   std::printf("\nAgainst pixels\n");
   ScalingRow::PrintHeader();
+  const int threads = vtkSMPTools::GetEstimatedNumberOfThreads();
+  std::vector<Case> cases;
   for (const int size : this->With.Sizes)
   {
-    this->Compare({ "pixels", this->With.CubesOfPixels, size, false },
-      { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
-        BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
+    cases.push_back({ "pixels", this->With.CubesOfPixels, size, false, threads });
   }
+  this->Compare(cases, { BenchmarkMapper::Tiles(), BenchmarkMapper::Raster(), BenchmarkMapper::ProjectedTetrahedra(),
+    BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() });
 }
 
 //------------------------------------------------------------------------------
@@ -280,16 +307,16 @@ void Scaling::CompareThreads()
   std::printf("\nAgainst threads\n");
   ScalingRow::PrintHeader();
   const int most = vtkSMPTools::GetEstimatedNumberOfThreads();
-  for (int threads = 1; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
+  for (const bool spiky : { false, true })
   {
-    vtkSMPTools::Initialize(threads);
-    for (const bool spiky : { false, true })
+    std::vector<Case> cases;
+    for (int threads = 1; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
     {
-      this->Compare(
-        { "threads", this->With.CubesOfThreads, this->With.Size, spiky }, { BenchmarkMapper::Tiles() });
+      cases.push_back({ "threads", this->With.CubesOfThreads, this->With.Size, spiky, threads });
     }
+    this->Compare(cases, { BenchmarkMapper::Tiles() });
   }
-  vtkSMPTools::Initialize(most);
+  UseThreads(most);
   this->PrintStages();
 }
 
