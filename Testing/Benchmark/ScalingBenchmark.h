@@ -6,6 +6,8 @@
 
 /// How the time of a frame grows with cells, pixels and threads: Tiles with its stages beside our Raster
 /// engine, VTK's projected tetrahedra and its ray casters, each with its error against the oracle.
+/// Frames of all mappers, and of all sizes of image or numbers of threads, are drawn in turns, so that their ratios are
+/// of the same minute; meshes of different sizes follow each other.
 namespace ScalingBenchmark
 {
 struct Plan
