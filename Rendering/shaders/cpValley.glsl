@@ -11,29 +11,24 @@ void cutAtValley(int plane, Ray ray, float parallel, inout Passage p)
     each[i].depths = vec2(-farAway, farAway);
     cutAtPlane(plane + i, ray, parallel, each[i]);
   }
-  bvec2 front = bvec2(each[0].depths.x > -farAway, each[1].depths.x > -farAway);
-  float enter = front.x && front.y ? min(each[0].depths.x, each[1].depths.x)
-                                   : max(each[0].depths.x, each[1].depths.x);
-  float leave = !front.x && !front.y ? max(each[0].depths.y, each[1].depths.y)
-                                     : min(each[0].depths.y, each[1].depths.y);
+  vec2 begins = vec2(each[0].depths.x, each[1].depths.x);
+  vec2 ends = vec2(each[0].depths.y, each[1].depths.y);
+  bvec2 front = greaterThan(begins, vec2(-farAway));
+  float enter = all(front) ? min(begins.x, begins.y) : max(begins.x, begins.y);
+  float leave = any(front) ? min(ends.x, ends.y) : max(ends.x, ends.y);
   bool mixed = front.x != front.y;
-  if (mixed ? p.depths.x > leave && enter > p.depths.x : enter > p.depths.x)
-  {
-    p.depths.x = enter;
-    p.planes.x = plane;
-  }
-  if (mixed ? p.depths.y < enter && leave < p.depths.y : leave < p.depths.y)
-  {
-    p.depths.y = leave;
-    p.planes.y = plane;
-  }
+  bool enters = enter > p.depths.x && (!mixed || p.depths.x > leave);
+  p.depths.x = enters ? enter : p.depths.x;
+  p.planes.x = enters ? plane : p.planes.x;
+  bool leaves = leave < p.depths.y && (!mixed || p.depths.y < enter);
+  p.depths.y = leaves ? leave : p.depths.y;
+  p.planes.y = leaves ? plane : p.planes.y;
 }
 
 Passage passageOf(int cell, Ray ray)
 {
   ivec4 header = texelFetch(cellHeaders, cell);
-  int pairs = header.y / 65536;
-  int planes = header.y - 65536 * pairs;
+  int pairs = header.y / 65536, planes = header.y % 65536;
   Passage p;
   p.center = texelFetch(cellPlanes, header.x).xyz;
   p.depth = dot(p.center - ray.point, ray.direction) / dot(ray.direction, ray.direction);
@@ -44,6 +39,15 @@ Passage passageOf(int cell, Ray ray)
   for (int i = 1; i <= planes; ++i)
   {
     cutAtPlane(header.x + i, ray, parallel, p);
+  }
+  // Far from the centre of a flat cell depths lose the digits of its thickness: again from its front.
+  if (pairs == 0 && p.depths.x < p.depths.y && 64.0 * (p.depths.y - p.depths.x) < abs(p.depths.x))
+  {
+    p.depth += p.depths.x;
+    p.place += p.depths.x * ray.direction;
+    p.depths = vec2(-farAway, farAway);
+    cutAtPlane(p.planes.x, ray, parallel, p);
+    cutAtPlane(p.planes.y, ray, parallel, p);
   }
   // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
   for (int i = 0; i < 2 * pairs; ++i)
