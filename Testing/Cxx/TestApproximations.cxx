@@ -79,6 +79,23 @@ void CheckSetters(TestChecks& checks)
   CHECK(TestScene::Difference(voxel, mapper->GetCapturedImage()) == 0.0);
 }
 
+// The mean opacity of the middle 16 x 16 pixels, which rays of the same length pass. The rasteriser moves corners
+// onto its grid, so that each pixel alone has lengths that are a little longer or shorter.
+double MeanOpacity(TestScene& scene)
+{
+  constexpr int half = 8;
+  const int* size = scene.Renderer->GetSize();
+  double sum = 0.0;
+  for (int y = -half; y < half; ++y)
+  {
+    for (int x = -half; x < half; ++x)
+    {
+      sum += scene.Pixel(size[0] / 2 + x, size[1] / 2 + y)[3];
+    }
+  }
+  return sum / (4.0 * half * half);
+}
+
 // A cube of constant extinction 1: the length inside a cell is linear on its triangles.
 void CheckSlab(TestChecks& checks)
 {
@@ -94,8 +111,8 @@ void CheckSlab(TestChecks& checks)
   CHECK_NEAR(scene.CenterPixel()[3], ConstantAlpha(0.7, 1.0), 1e-5);
   scene.LookFrom(1.0, 0.6, 2.0);
   CHECK_AT_MOST(scene.MaximumError("constant, parallel projection"), 2e-2);
-  // At the centre of the screen, and wherever no edge of a silhouette runs through the pixel.
-  CHECK_NEAR(scene.CenterPixel()[3], ConstantAlpha(0.7 * std::sqrt(5.36) / 2.0, 1.0), 1e-5);
+  // In the middle of the screen, and wherever no edge of a silhouette runs through the pixel.
+  CHECK_NEAR(MeanOpacity(scene), ConstantAlpha(0.7 * std::sqrt(5.36) / 2.0, 1.0), 1e-5);
   mapper->SetApproximationToShirleyTuchman();
   scene.Render();
   CHECK(std::abs(scene.CenterPixel()[3] - ConstantAlpha(0.7 * std::sqrt(5.36) / 2.0, 1.0)) > 1e-4);
@@ -104,7 +121,7 @@ void CheckSlab(TestChecks& checks)
   scene.Volume->SetScale(0.5);
   scene.Property->SetScalarOpacityUnitDistance(0.5);
   scene.Render();
-  CHECK_NEAR(scene.CenterPixel()[3], ConstantAlpha(0.7 * std::sqrt(5.36) / 2.0, 1.0), 1e-5);
+  CHECK_NEAR(MeanOpacity(scene), ConstantAlpha(0.7 * std::sqrt(5.36) / 2.0, 1.0), 1e-5);
 }
 
 // Halves of a constant cube, by a clipping plane and by an opaque one across the view.
