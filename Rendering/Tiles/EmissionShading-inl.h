@@ -15,6 +15,7 @@
 #include "EmissionTable.h"
 #include "TileColors-inl.h"
 #include "TileFragments.h"
+#include "TilePacking-inl.h"
 #include "TilePieces-inl.h"
 #include "TileShading-inl.h"
 #include "TileView.h"
@@ -94,13 +95,13 @@ private:
   {
     const ShadeFloat d;
     const ShadeInt di;
-    const auto whichInt = hn::RebindMask(di, which);
+    const LanePacker<ShadeFloat> pack(d, which);
     const int at = rest.Count;
-    hn::StoreU(hn::Compress(p.First, which), d, rest.First + at);
-    hn::StoreU(hn::Compress(p.Last, which), d, rest.Last + at);
-    hn::StoreU(hn::Compress(p.Length, which), d, rest.Length + at);
-    hn::StoreU(hn::Compress(p.Piece, whichInt), di, rest.Piece + at);
-    hn::StoreU(hn::Compress(p.Fragment, whichInt), di, rest.Fragment + at);
+    hn::StoreU(pack(p.First), d, rest.First + at);
+    hn::StoreU(pack(p.Last), d, rest.Last + at);
+    hn::StoreU(pack(p.Length), d, rest.Length + at);
+    hn::StoreU(pack(p.Piece), di, rest.Piece + at);
+    hn::StoreU(pack(p.Fragment), di, rest.Fragment + at);
     rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
   }
 

@@ -85,12 +85,12 @@ HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, LitNeeds needs, Li
 }
 
 /// What is linear along a piece, from its share `end` on.
-HWY_INLINE void AppendLinear(ShadeMask which, ShadeVector value, ShadeVector rise,
+HWY_INLINE void AppendLinear(const LanePacker<ShadeFloat>& pack, ShadeVector value, ShadeVector rise,
   ShadeVector end, float* values, float* rises)
 {
   const ShadeFloat d;
-  hn::StoreU(hn::Compress(hn::MulAdd(end, rise, value), which), d, values);
-  hn::StoreU(hn::Compress(hn::NegMulAdd(end, rise, rise), which), d, rises);
+  hn::StoreU(pack(hn::MulAdd(end, rise, value)), d, values);
+  hn::StoreU(pack(hn::NegMulAdd(end, rise, rise)), d, rises);
 }
 
 /// Appends what is left behind a part.
@@ -99,34 +99,34 @@ HWY_INLINE void AppendPieces(ShadeMask which, const LitPieces& p, const LitPart&
 {
   const ShadeFloat d;
   const ShadeInt di;
+  const LanePacker<ShadeFloat> pack(d, which);
   const int at = rest.Count;
   // Past a node the next piece begins, above or below.
   const auto rising = hn::RebindMask(di, hn::Lt(p.First, p.Last));
   const auto step = hn::IfThenElse(rising, hn::Set(di, 1), hn::Set(di, -1));
   const auto piece =
     hn::Add(p.Piece, hn::IfThenElseZero(hn::RebindMask(di, part.AtNode), step));
-  hn::StoreU(hn::Compress(part.LastScalar, which), d, rest.First + at);
-  hn::StoreU(hn::Compress(p.Last, which), d, rest.Last + at);
-  hn::StoreU(hn::Compress(hn::Sub(p.Length, part.Length), which), d, rest.Length + at);
-  hn::StoreU(hn::Compress(through, which), d, rest.Through + at);
+  hn::StoreU(pack(part.LastScalar), d, rest.First + at);
+  hn::StoreU(pack(p.Last), d, rest.Last + at);
+  hn::StoreU(pack(hn::Sub(p.Length, part.Length)), d, rest.Length + at);
+  hn::StoreU(pack(through), d, rest.Through + at);
   if (needs.Position)
   {
-    AppendLinear(which, p.Depth, p.DepthRise, part.End, rest.Depth + at, rest.DepthRise + at);
+    AppendLinear(pack, p.Depth, p.DepthRise, part.End, rest.Depth + at, rest.DepthRise + at);
   }
   for (int k = 0; k < 3; ++k)
   {
-    AppendLinear(which, p.Gradient[k], p.GradientRise[k], part.End, rest.Gradient[k] + at,
+    AppendLinear(pack, p.Gradient[k], p.GradientRise[k], part.End, rest.Gradient[k] + at,
       rest.GradientRise[k] + at);
     if (needs.Colors)
     {
       AppendLinear(
-        which, p.Color[k], p.ColorRise[k], part.End, rest.Color[k] + at, rest.ColorRise[k] + at);
+        pack, p.Color[k], p.ColorRise[k], part.End, rest.Color[k] + at, rest.ColorRise[k] + at);
     }
   }
-  const auto whichInt = hn::RebindMask(di, which);
-  hn::StoreU(hn::Compress(piece, whichInt), di, rest.Piece + at);
-  hn::StoreU(hn::Compress(p.Fragment, whichInt), di, rest.Fragment + at);
-  hn::StoreU(hn::Compress(p.Pixel, whichInt), di, rest.Pixel + at);
+  hn::StoreU(pack(piece), di, rest.Piece + at);
+  hn::StoreU(pack(p.Fragment), di, rest.Fragment + at);
+  hn::StoreU(pack(p.Pixel), di, rest.Pixel + at);
   rest.Count = at + static_cast<int>(hn::CountTrue(d, which));
 }
 }

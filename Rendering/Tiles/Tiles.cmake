@@ -53,6 +53,7 @@ list(APPEND private_headers
   Rendering/Tiles/ExtremumProjection.h
   Rendering/Tiles/ExtremumTilesEngine.h
   Rendering/Tiles/TileBins.h
+  Rendering/Tiles/TileBlocks-inl.h
   Rendering/Tiles/TileBox.h
   Rendering/Tiles/TileBuffer.h
   Rendering/Tiles/TileCellFields.h
@@ -66,6 +67,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCuts-inl.h
   Rendering/Tiles/TileEntries.h
   Rendering/Tiles/TileExactCell.h
+  Rendering/Tiles/TileExactCoverage-inl.h
   Rendering/Tiles/TileFragments.h
   Rendering/Tiles/TileGradientOpacity-inl.h
   Rendering/Tiles/TileGroup.h
@@ -82,6 +84,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileNeighbours.h
   Rendering/Tiles/TileOcclusion.h
   Rendering/Tiles/TileOrder.h
+  Rendering/Tiles/TilePacking-inl.h
   Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h
   Rendering/Tiles/TilePlaces.h

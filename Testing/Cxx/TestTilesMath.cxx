@@ -8,6 +8,7 @@
 #include <hwy/highway.h>
 
 #include "TileMath-inl.h"
+#include "TilePacking-inl.h"
 
 #ifndef TestTilesMath_Errors
 #define TestTilesMath_Errors
@@ -18,6 +19,8 @@ struct TilesMathErrors
   double Mean = 0.0;
   double ThinAbsorption = 0.0;
   double ThinMean = 0.0;
+  /// Lanes that were not packed where they belong.
+  int Packed = 0;
 };
 /// By quadrature: the mean place of the light absorbed along a piece.
 double MeanOfAbsorption(double depth, double lean);
@@ -25,6 +28,7 @@ double MeanOfAbsorption(double depth, double lean);
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -43,8 +47,50 @@ void MeasureThin(float depth, float lean, TilesMathErrors& errors)
   errors.ThinMean = std::max(errors.ThinMean, std::abs(mean - MeanOfAbsorption(depth, lean)));
 }
 
+// Lanes of the set `bits` must come first, in their order.
+template <class D>
+void CheckPacking(D d, int bits, TilesMathErrors& errors)
+{
+  const hn::RebindToSigned<D> di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  std::uint8_t set[8] = { static_cast<std::uint8_t>(bits), static_cast<std::uint8_t>(bits >> 8) };
+  HWY_ALIGN float floats[16], packedFloats[16];
+  HWY_ALIGN int numbers[16], packedNumbers[16];
+  for (int k = 0; k < lanes; ++k)
+  {
+    numbers[k] = 7 * k + 3;
+    floats[k] = static_cast<float>(numbers[k]);
+  }
+  const LanePacker<D> pack(d, hn::LoadMaskBits(d, set));
+  hn::Store(pack(hn::Load(d, floats)), d, packedFloats);
+  hn::Store(pack(hn::Load(di, numbers)), di, packedNumbers);
+  for (int k = 0, at = 0; k < lanes; ++k)
+  {
+    if ((bits >> k & 1) != 0)
+    {
+      errors.Packed += packedFloats[at] != floats[k] || packedNumbers[at] != numbers[k] ? 1 : 0;
+      ++at;
+    }
+  }
+}
+
+void CheckPacking(TilesMathErrors& errors)
+{
+  const hn::CappedTag<float, 16> whole;
+  for (int bits = 0; bits < 1 << hn::Lanes(whole); ++bits)
+  {
+    CheckPacking(whole, bits, errors);
+  }
+  const hn::Rebind<float, hn::CappedTag<double, 8>> half;
+  for (int bits = 0; bits < 1 << hn::Lanes(half); ++bits)
+  {
+    CheckPacking(half, bits, errors);
+  }
+}
+
 void MeasureErrors(TilesMathErrors& errors)
 {
+  CheckPacking(errors);
   const hn::CappedTag<float, 1> d;
   auto valueOf = [](auto vector) { return static_cast<double>(hn::GetLane(vector)); };
   for (int i = 1; i <= 1000; ++i)
@@ -109,6 +155,7 @@ int TestTilesMath(int, char*[])
     CHECK_AT_MOST(errors.Mean, 1e-5);
     CHECK_AT_MOST(errors.ThinAbsorption, 4e-7);
     CHECK_AT_MOST(errors.ThinMean, 3e-5);
+    CHECK(errors.Packed == 0);
   }
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return checks.Result();

@@ -1,0 +1,117 @@
+/**
+ * Which pixels of a tile a cell covers for which floats do not serve: see class TileExactCell.
+ */
+#if defined(TileExactCoverage_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileExactCoverage_inl_h
+#undef TileExactCoverage_inl_h
+#else
+#define TileExactCoverage_inl_h
+#endif
+
+#include "TileCells.h"
+#include "TileExactCell.h"
+#include "TileFragments.h"
+#include "TileMath-inl.h"
+#include "TilePacking-inl.h"
+#include "TileTask.h"
+#include "TileView.h"
+
+#include <hwy/highway.h>
+
+#include <algorithm>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using ExactFloat = hn::CappedTag<double, 8>;
+using ExactVector = hn::Vec<ExactFloat>;
+
+/// Entry and exit of pixels in a row in double, and the mask of those that are covered.
+inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const TileView& view,
+  ExactVector x, double y, ExactVector& entry, ExactVector& exit)
+{
+  const ExactFloat d;
+  entry = hn::Set(d, view.NearU);
+  exit = hn::Set(d, view.FarU);
+  for (const TileExactCell::Plane& plane : cell.Planes)
+  {
+    auto value = hn::MulAdd(hn::Set(d, plane.A), x, hn::Set(d, plane.B * y + plane.E));
+    const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
+    // A plane that is not seen edge-on has no tolerance, and passes at u = 0 where its value is 0.
+    const auto nudged = hn::Set(d, plane.Tolerance > 0.0 ? plane.Nudge : 0.0);
+    value = hn::Mul(hn::IfThenElse(within, nudged, value), hn::Set(d, plane.Inverse));
+    entry = plane.IsEntry ? hn::Min(entry, value) : entry;
+    exit = plane.IsEntry ? exit : hn::Max(exit, value);
+  }
+  return hn::Lt(exit, entry);
+}
+
+/// Appends the lanes of `covered`; `pixel` is that of the first lane.
+inline void AppendExactLanes(hn::Mask<ExactFloat> covered, ExactVector entry, ExactVector exit,
+  ExactVector scalarIn, ExactVector scalarOut, int pixel, TileFragments& out)
+{
+  const ExactFloat d;
+  const hn::Rebind<float, ExactFloat> df;
+  const hn::Rebind<std::int32_t, ExactFloat> di;
+  const int at = out.Count;
+  std::uint8_t bits[8] = {};
+  hn::StoreMaskBits(d, covered, bits);
+  const LanePacker<decltype(df)> pack(df, hn::LoadMaskBits(df, bits));
+  auto store = [&](ExactVector value, float* to)
+  { hn::StoreU(pack(hn::DemoteTo(df, value)), df, to + at); };
+  store(entry, out.Entry);
+  store(hn::Sub(entry, exit), out.Extent);
+  store(scalarIn, out.ScalarIn);
+  store(scalarOut, out.ScalarOut);
+  hn::StoreU(pack(Ramp(di, pixel)), di, out.Pixel + at);
+  out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
+}
+
+/// The same of a tetrahedron.
+inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered, ExactVector x,
+  double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+{
+  const ExactFloat d;
+  const auto perU = hn::Set(d, cell.ScalarC);
+  const auto scalar = hn::MulAdd(
+    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
+  AppendExactLanes(covered, entry, exit, hn::MulAdd(perU, entry, scalar),
+    hn::MulAdd(perU, exit, scalar), pixel, out);
+}
+
+/// A cell in double: see class TileExactCell.
+inline void CoverExactCell(
+  const TileTask& task, const TileRectangle& tile, int id, TileFragments& out)
+{
+  const TileExactCell cell(*task.Mesh, *task.View, id);
+  const ExactFloat d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
+  const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
+  out.CountLanes(lastX - firstX + 1, lastY - firstY + 1, lanes, 1);
+  for (int y = firstY; y <= lastY; ++y)
+  {
+    for (int left = firstX; left <= lastX; left += lanes)
+    {
+      const auto x = Ramp(d, static_cast<double>(left));
+      ExactVector entry, exit;
+      const auto inRow = hn::FirstN(d, static_cast<std::size_t>(lastX - left + 1));
+      const auto covered =
+        hn::And(inRow, CoverExactLanes(cell, *task.View, x, y, entry, exit));
+      if (!hn::AllFalse(d, covered))
+      {
+        const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
+        AppendExact(cell, covered, x, y, entry, exit, pixel, out);
+      }
+    }
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
