@@ -27,6 +27,11 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Of the cosine of the angle to a light, times the optical depth: what may pass unseen.
+constexpr float LeastKink = 5e-3f;
+/// The tangent of the angle that the gradient turns by in a piece of any depth, at most.
+constexpr float GreatestTurn = 0.8f;
+
 /// base ^ power for a base of at least 0; whole powers, the usual ones, by squaring.
 HWY_INLINE ShadeVector Power(ShadeVector base, float power)
 {
@@ -176,9 +181,6 @@ public:
   bool HasPosition() const { return this->WithPosition; }
 
 private:
-  /// Of the cosine of the angle to a light, times the optical depth: what may pass unseen.
-  static constexpr float LeastKink = 5e-3f;
-  static constexpr float GreatestTurn = 0.8f;
 
   HWY_INLINE void BeginLight(
     const TileLight& light, const LitPieces& p, const LitCourse& c, LitSide& s) const

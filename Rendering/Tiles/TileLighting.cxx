@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vec2.hpp>
 #include <glm/vec4.hpp>
 
 #include <algorithm>
@@ -67,6 +68,41 @@ void TileLighting::Build(
   {
     this->ColorFunction.Build(shading.Colors.Function, 0.0);
   }
+  this->AllowsThin = this->SetRays(view, camera) && this->HasThinLights();
+}
+
+//------------------------------------------------------------------------------
+bool TileLighting::SetRays(const TileView& view, const TileView::Camera& camera)
+{
+  const glm::dmat3 worldToView = glm::inverse(glm::dmat3(camera.ViewToWorld));
+  glm::dvec3 rays[3];
+  for (int i = 0; i < 3; ++i)
+  {
+    rays[i] = worldToView * view.Ray[i];
+  }
+  const double along = rays[0].z;
+  this->Rays.LengthPerWay = glm::length(view.Ray[0]) / glm::length(rays[0] / along);
+  for (int k = 0; k < 2; ++k)
+  {
+    this->Rays.ToEye[k] = rays[0][k] / along;
+    this->Rays.PerPixel[k] = rays[k + 1][k] / along;
+  }
+  // Columns change x alone, rows y.
+  const double across = std::abs(rays[1].y) + std::abs(rays[1].z) + std::abs(rays[2].x) +
+                        std::abs(rays[2].z);
+  const double pixels = view.Width + view.Height;
+  return along < 0.0 && pixels * across <= -1e-6 * along &&
+         KeepsAngles(glm::dmat3(camera.ViewToWorld));
+}
+
+//------------------------------------------------------------------------------
+bool TileLighting::HasThinLights() const
+{
+  const bool isWhole = this->Power == std::floor(this->Power) && this->Power <= 1024.0f;
+  return this->IsLit && this->IsGrey && !this->HasOpacity && this->ColorKind == OwnColor &&
+         !this->HasGlance && (isWhole || !this->HasHighlight) &&
+         std::none_of(this->Lights.begin(), this->Lights.end(),
+           [](const TileLight& light) { return light.IsPositional; });
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +121,8 @@ void TileLighting::AddLight(const SceneLight& light, const VolumeShading& shadin
   TileLight added;
   added.IsPositional = light.IsPositional;
   added.Place = light.IsPositional ? light.Position : -light.Direction;
+  added.Towards = -light.Direction;
+  added.IsAlongView = glm::length(glm::vec2(added.Towards)) <= 1e-6f && added.Towards.z > 0.0f;
   added.HasCone = light.ConeCosine >= -1.0f;
   added.Axis = light.Direction;
   added.ConeCosine = light.ConeCosine;

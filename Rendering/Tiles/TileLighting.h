@@ -29,6 +29,9 @@ struct TileLight
   bool IsPositional = false;
   bool HasCone = false;
   glm::vec3 Place{ 0.0f };
+  /** The way to a directional light in view coordinates; whether it is (0, 0, 1). */
+  glm::vec3 Towards{ 0.0f };
+  bool IsAlongView = false;
   glm::vec3 Axis{ 0.0f };
   float ConeCosine = -2.0f;
   float Exponent = 0.0f;
@@ -80,11 +83,26 @@ public:
   /** Points of a ray times weight(u) are columns 0 x + 1 y + 2 u + 3. */
   glm::dmat4 ScreenToMesh{ 1.0 }, ScreenToLights{ 1.0 };
 
+  /** In view coordinates the way of a ray to the eye is (x, y, 1), up to a factor. */
+  struct ViewRays
+  {
+    /** x and y at pixel 0, 0; what they change by per pixel. */
+    double ToEye[2] = { 0.0, 0.0 }, PerPixel[2] = { 0.0, 0.0 };
+    /** World length of a piece of a ray over that of (x, y, 1) and the difference of 1 / weight. */
+    double LengthPerWay = 0.0;
+  };
+  ViewRays Rays;
+  /** Whether all is as class ThinLight has it: grey directional light, no opacity or colours of
+   *  others than the scalar, rays as ViewRays. */
+  bool AllowsThin = false;
+
 private:
   // Of all lights together.
   float Specular = 0.0f;
 
   void AddLight(const SceneLight& light, const VolumeShading& shading);
+  bool SetRays(const TileView& view, const TileView::Camera& camera);
+  bool HasThinLights() const;
   void SetGreatestTurn();
   void SetSpace(const VolumeShading& shading, const TileView::Camera& camera);
   bool HasGreyLights() const;

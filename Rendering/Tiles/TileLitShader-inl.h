@@ -9,16 +9,17 @@
 #endif
 
 #include "TileColors-inl.h"
+#include "TileFirstPieces-inl.h"
 #include "TileGradientOpacity-inl.h"
 #include "TileLight-inl.h"
 #include "TileLitPieces-inl.h"
 #include "TilePartColors-inl.h"
+#include "TileThinLight-inl.h"
 #include "TileWays-inl.h"
 
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -46,16 +47,14 @@ class TileLitShader
 public:
   TileLitShader(const TileTask& task, const TileRectangle& tile)
     : Task(task)
+    , Tile(tile)
     , Transfer(*task.Transfer)
-    , Lighting(*task.Lighting)
-    , Lengths(*task.View, tile)
-    , Rays(*task.View, task.Lighting->ScreenToMesh, tile)
     , Light(*task.Lighting, *task.View, tile)
     , Opacity(*task.Lighting)
     , Colors(*task.Lighting)
     , Kind{ *task.Lighting }
+    , FirstPieces(task, tile, Kind, Light)
     , PartColors(*task.Transfer, Kind, Light, Opacity, Colors)
-    , LengthPerWay(this->FindLengthPerWay())
   {
   }
 
@@ -203,114 +202,62 @@ private:
     }
   }
 
-  /// World length of a way of length 1 in the mesh; 0 where it depends on the way, or where the
-  /// way's square is not for floats.
-  float FindLengthPerWay() const
-  {
-    if (!this->Lighting.HasOneScale)
-    {
-      return 0.0f;
-    }
-    HWY_ALIGN float length[16], ways[16];
-    ShadeVector toEye[3];
-    const auto pixel = hn::Zero(ShadeInt());
-    this->Rays.FindToEye(pixel, toEye);
-    hn::Store(Dot(toEye, toEye), ShadeFloat(), ways);
-    hn::Store(this->Lengths.At(pixel), ShadeFloat(), length);
-    return ways[0] > 1e-30f && ways[0] < 1e30f ? length[0] / std::sqrt(ways[0]) : 0.0f;
-  }
-
-  /// The piece's length, and the way to the eye.
-  HWY_INLINE void SetLength(const ShadeVector (&toEye)[3], LitPieces& p) const
-  {
-    if (this->LengthPerWay == 0.0f)
-    {
-      p.Length = hn::Mul(p.DepthRise, this->Lengths.At(p.Pixel));
-      this->Light.FindToEye(p.Pixel, p.ToEye);
-      return;
-    }
-    const auto square = Dot(toEye, toEye);
-    const auto inverse = InverseRoot(square);
-    const auto perWay = hn::Set(ShadeFloat(), this->LengthPerWay);
-    p.Length = hn::Mul(p.DepthRise, hn::Mul(hn::Mul(square, inverse), perWay));
-    for (int k = 0; k < 3; ++k)
-    {
-      p.ToEye[k] = hn::Mul(toEye[k], inverse);
-    }
-  }
-
-  /// Gradient and components at the beginning, and their rise.
-  HWY_INLINE void SetFields(const int* cells, int used, LitPieces& p) const
-  {
-    const ShadeFloat d;
-    ShadeVector point[3], way[3], toEye[3];
-    this->Rays.FindOrigin(p.Pixel, point);
-    this->Rays.FindToEye(p.Pixel, toEye);
-    this->SetLength(toEye, p);
-    for (int k = 0; k < 3; ++k)
-    {
-      point[k] = hn::NegMulAdd(p.Depth, toEye[k], point[k]);
-      way[k] = hn::Neg(hn::Mul(p.DepthRise, toEye[k]));
-      p.Gradient[k] = p.GradientRise[k] = hn::Zero(d);
-    }
-    FieldRows rows;
-    if (this->Kind.IsLit() || this->Kind.HasOpacity())
-    {
-      rows.Load(*this->Task.Gradients, cells, used);
-      rows.At(point, way, p.Gradient, p.GradientRise);
-    }
-    if (this->Lighting.IsInView)
-    {
-      Turn(this->Lighting.GradientToView, p.Gradient);
-      Turn(this->Lighting.GradientToView, p.GradientRise);
-    }
-    if (this->Kind.HasColors())
-    {
-      rows.Load(*this->Task.Colors, cells, used);
-      rows.At(point, way, p.Color, p.ColorRise);
-    }
-  }
-
-  HWY_INLINE void FindFirstPiece(const TileFragments& q, int at, LitPieces& p) const
-  {
-    const ShadeFloat d;
-    const ShadeInt di;
-    const auto scale = hn::Set(d, static_cast<float>(this->Task.View->WeightScale));
-    const auto offset = hn::Set(d, static_cast<float>(this->Task.View->WeightOffset));
-    const auto perWeight = hn::Set(d, static_cast<float>(-1.0 / this->Task.View->WeightOffset));
-    const FragmentEnds ends(q, at, scale, offset);
-    p.Pixel = hn::Load(di, q.Pixel + at);
-    p.DepthRise = ends.Depth();
-    p.Depth = hn::Mul(hn::Mul(ends.Entry, perWeight), hn::Mul(ends.WeightOut, ends.Inverse));
-    p.First = ends.First(q.ScalarIn + at);
-    p.Last = ends.Last(q.ScalarOut + at);
-    p.Through = hn::Set(d, 1.0f);
-    p.Fragment = Ramp(di, at);
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    this->SetFields(q.Cell + at, std::min(lanes, q.Count - at), p);
-  }
-
+  /// Vectors that are thin are coloured at once, the others by parts.
   void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
   {
     const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
     q.FillLastVector();
-    LitWork work[Batch];
+    ThinLight thin(this->Task, this->Tile);
+    bool areThin = !General && this->Task.Lighting->AllowsThin;
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
-      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
-      for (int i = 0; i < count; ++i)
+      const int end = std::min(q.Count, begin + Batch * lanes);
+      int others[Batch], left = 0;
+      for (int at = begin; at < end; at += lanes)
       {
-        this->FindFirstPiece(q, begin + i * lanes, work[i].Piece);
+        if (!areThin || !ColorThin(thin, at, q))
+        {
+          others[left++] = at;
+        }
       }
-      OnePieceLookUp one;
-      if (this->FindOnePiece(work, count, one))
-      {
-        this->ShadeInSteps(one, work, begin, q, rest);
-      }
-      else
-      {
-        this->ShadeInSteps(this->Values, work, begin, q, rest);
-      }
+      // Where few are thin, the next ones are not tried.
+      areThin = areThin && 2 * left <= Batch;
+      this->ShadeByParts(others, left, q, rest);
+    }
+  }
+
+  static HWY_INLINE bool ColorThin(ThinLight& thin, int at, TileFragments& q)
+  {
+    ShadeVector color[4];
+    if (!thin.Color(q, at, color))
+    {
+      return false;
+    }
+    StoreColors(color, at, q);
+    return true;
+  }
+
+  /// Shades the first parts of the vectors that begin at `named`.
+  void ShadeByParts(
+    const int (&named)[Batch], int count, TileFragments& q, TileLitPieces& rest) const
+  {
+    if (count == 0)
+    {
+      return;
+    }
+    LitWork work[Batch];
+    for (int i = 0; i < count; ++i)
+    {
+      this->FirstPieces.Find(q, named[i], work[i].Piece);
+    }
+    OnePieceLookUp one;
+    if (this->FindOnePiece(work, count, one))
+    {
+      this->ShadeInSteps(one, named, count, work, q, rest);
+    }
+    else
+    {
+      this->ShadeInSteps(this->Values, named, count, work, q, rest);
     }
   }
 
@@ -327,18 +274,16 @@ private:
     return one.Take(this->Transfer, least, greatest);
   }
 
-  /// Step after step for all vectors from `begin` on: within one the steps wait for each other.
+  /// Step after step for all vectors: within one the steps wait for each other.
   template <class Look>
-  HWY_INLINE void ShadeInSteps(const Look& values, LitWork (&work)[Batch], int begin,
-    TileFragments& q, TileLitPieces& rest) const
+  HWY_INLINE void ShadeInSteps(const Look& values, const int (&named)[Batch], int count,
+    LitWork (&work)[Batch], TileFragments& q, TileLitPieces& rest) const
   {
     const ShadeFloat d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
-    const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
     for (int i = 0; i < count; ++i)
     {
       work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
-      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - begin - i * lanes));
+      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - named[i]));
       this->CutPiece(values, used, 0, work[i]);
     }
     for (int i = 0; i < count; ++i)
@@ -349,7 +294,7 @@ private:
     {
       ShadeVector color[4];
       this->ColorPart(values, work[i], rest, color);
-      StoreColors(color, begin + i * lanes, q);
+      StoreColors(color, named[i], q);
     }
   }
 
@@ -378,16 +323,14 @@ private:
 
   const LookUp Values{};
   const TileTask& Task;
+  const TileRectangle& Tile;
   const TileTransfer& Transfer;
-  const TileLighting& Lighting;
-  const RayLengths Lengths;
-  const TileRays Rays;
   const TileLightSource Light;
   const TileGradientOpacity Opacity;
   const TileComponentColors Colors;
   const LitKind<General> Kind;
+  const TileFirstPieces<General> FirstPieces;
   const TilePartColors<General> PartColors;
-  const float LengthPerWay;
 };
 }
 }

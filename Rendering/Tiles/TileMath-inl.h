@@ -89,6 +89,39 @@ struct ThinAbsorption
     this->Moment = hn::MulAdd(this->Alpha, even, hn::Mul(hn::Mul(perDepth, bend), odd));
   }
 };
+
+/// 2 / sqrt(v); relative error below 1e-6 for normal numbers.
+template <class D, class Vector>
+HWY_INLINE Vector TwiceInverseRoot(D d, Vector v)
+{
+#if HWY_ARCH_X86 && HWY_TARGET != HWY_SCALAR && HWY_TARGET != HWY_EMU128
+  const auto rough = hn::ApproximateReciprocalSqrt(v);
+  return hn::Mul(rough, hn::NegMulAdd(hn::Mul(v, rough), rough, hn::Set(d, 3.0f)));
+#else
+  return hn::Div(hn::Set(d, 2.0f), hn::Sqrt(v));
+#endif
+}
+
+/// Two places along a thin piece, 1/2 - 1/sqrt(12) and 1/2 + 1/sqrt(12), and twice the shares of its
+/// alpha that stand for them; depth and bend as of ThinAbsorption. Exact as far as that is for what
+/// is linear along the piece; per alpha the mean of (place - 1/2)^2 is wrong by 5e-3 at most, that of
+/// its cube by 1.2e-2, both where extinction rises from zero.
+template <class Vector>
+struct ThinNodes
+{
+  Vector Alpha, Before, Behind;
+
+  template <class D>
+  HWY_INLINE ThinNodes(D d, Vector depth, Vector bend)
+  {
+    const ThinAbsorption<Vector> thin(d, depth, bend);
+    this->Alpha = thin.Alpha;
+    const auto lean = hn::Mul(
+      hn::NegMulAdd(hn::Set(d, 0.5f), thin.Alpha, thin.Moment), hn::Set(d, 3.46410162f));
+    this->Before = hn::Sub(thin.Alpha, lean);
+    this->Behind = hn::Add(thin.Alpha, lean);
+  }
+};
 }
 }
 HWY_AFTER_NAMESPACE();

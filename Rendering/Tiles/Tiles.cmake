@@ -68,6 +68,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileEntries.h
   Rendering/Tiles/TileExactCell.h
   Rendering/Tiles/TileExactCoverage-inl.h
+  Rendering/Tiles/TileFirstPieces-inl.h
   Rendering/Tiles/TileFragments.h
   Rendering/Tiles/TileGradientOpacity-inl.h
   Rendering/Tiles/TileGroup.h
@@ -93,11 +94,13 @@ list(APPEND private_headers
   Rendering/Tiles/TileRepair.h
   Rendering/Tiles/TileScratch.h
   Rendering/Tiles/TileScratchPool.h
+  Rendering/Tiles/TileScreenGradients-inl.h
   Rendering/Tiles/TileSetup-inl.h
   Rendering/Tiles/TileShading-inl.h
   Rendering/Tiles/TileSliver.h
   Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
+  Rendering/Tiles/TileThinLight-inl.h
   Rendering/Tiles/TileThinPieces-inl.h
   Rendering/Tiles/TileTransfer.h
   Rendering/Tiles/TileVertices.h

@@ -128,6 +128,79 @@ void CheckTargets(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+// Thin fragments under directional light are lit in a shorter way, unless there is another light: a
+// black one changes nothing else.
+class ThinScene : public BothEngines
+{
+public:
+  explicit ThinScene(vtkUnstructuredGrid* grid)
+  {
+    TestMeshes::SetField(grid, TestMeshes::Waves);
+    this->SetGrid(grid);
+    this->SetSmooth();
+    this->Lamp->SetIntensity(0.0);
+    this->Head->SetLightTypeToHeadlight();
+    this->Side->SetLightTypeToSceneLight();
+    this->Side->SetPosition(-1.0, 0.7, 0.3);
+    this->Side->SetIntensity(0.6);
+    this->Renderer->AddLight(this->Head);
+    this->Renderer->AddLight(this->Side);
+  }
+
+  // By the oracle's image as it is.
+  double DrawError(bool shortWay)
+  {
+    shortWay ? this->Lamp->SwitchOff() : this->Lamp->SwitchOn();
+    this->DrawTiles();
+    this->Oracle->Compare(this->Mapper->GetCapturedImage());
+    return this->Oracle->GetRootMeanSquareError();
+  }
+
+  void Check(TestChecks& checks, const char* name)
+  {
+    const double error = this->DrawError(false);
+    auto parts = this->CopyCaptured();
+    const double shortError = this->DrawError(true);
+    std::cout << name << ": " << shortError << ", by parts " << error << "\n";
+    checks.Check(shortError <= 1.1 * error, name, __LINE__, std::to_string(shortError));
+    CHECK_AT_MOST(this->Oracle->GetMaximumError(), 1e-3);
+    // The same bytes: it is never taken.
+    CHECK(Difference(parts, this->Mapper->GetCapturedImage()) > 0.0);
+  }
+
+  void CheckAgain(TestChecks& checks, const char* name)
+  {
+    CHECK(this->UpdateOracle());
+    this->Check(checks, name);
+  }
+
+  vtkNew<vtkLight> Head, Side;
+};
+
+void CheckThin(TestChecks& checks)
+{
+  ThinScene scene(TestMeshes::Delaunay(700));
+  scene.LookFrom(0.1, -0.05, 0.2);
+  scene.CheckAgain(checks, "thin, from inside");
+  scene.Side->SwitchOff();
+  scene.LookFrom(0.5, 0.8, 2.2);
+  scene.CheckAgain(checks, "thin, headlight");
+  scene.Side->SwitchOn();
+  scene.Property->SetSpecularPower(7.0);
+  scene.Volume->SetScale(1.0, 0.4, 1.3);
+  scene.Volume->RotateZ(30.0);
+  scene.CheckAgain(checks, "thin, scaled");
+  scene.Property->SetSpecular(0.0);
+  scene.Renderer->GetActiveCamera()->ParallelProjectionOn();
+  CHECK(scene.UpdateOracle());
+  for (const int64_t target : hwy::SupportedAndGeneratedTargets())
+  {
+    hwy::GetChosenTarget().Update(target);
+    scene.Check(checks, hwy::TargetName(target));
+  }
+  hwy::GetChosenTarget().Update(hwy::SupportedTargets());
+}
+
 // A camera along z that undoes the stretching of the volume: angles are kept on the way to the eye,
 // lengths in the world are not.
 void CheckStretched(TestChecks& checks)
@@ -182,5 +255,6 @@ int TestTilesLight(int, char*[])
   CheckSpecialCases(checks);
   CheckTargets(checks);
   CheckStretched(checks);
+  CheckThin(checks);
   return checks.Result();
 }

@@ -21,9 +21,13 @@ struct TilesMathErrors
   double ThinMean = 0.0;
   /// Lanes that were not packed where they belong.
   int Packed = 0;
+  double Root = 0.0;
+  /// Of the mean of the place less 1/2, its square and its cube.
+  double Nodes[3] = { 0.0, 0.0, 0.0 };
 };
-/// By quadrature: the mean place of the light absorbed along a piece.
-double MeanOfAbsorption(double depth, double lean);
+/// By quadrature: the mean of a power of the place, counted from `from`, of the light absorbed along
+/// a piece.
+double MeanOfAbsorption(double depth, double lean, double from = 0.0, int power = 1);
 #endif
 
 #include <algorithm>
@@ -88,6 +92,24 @@ void CheckPacking(TilesMathErrors& errors)
   }
 }
 
+void MeasureNodes(float depth, float lean, TilesMathErrors& errors)
+{
+  const hn::CappedTag<float, 1> d;
+  using Vector = hn::Vec<decltype(d)>;
+  auto valueOf = [](auto vector) { return static_cast<double>(hn::GetLane(vector)); };
+  const ThinNodes<Vector> nodes(d, hn::Set(d, depth), hn::Set(d, depth * lean));
+  const double before = valueOf(nodes.Before), behind = valueOf(nodes.Behind);
+  const double apart = std::sqrt(1.0 / 12.0), alpha = -std::expm1(-static_cast<double>(depth));
+  errors.ThinAbsorption =
+    std::max(errors.ThinAbsorption, std::abs((before + behind) / (2.0 * alpha) - 1.0));
+  for (int i = 0; i < 3; ++i)
+  {
+    const double sum = behind * std::pow(apart, i + 1) + before * std::pow(-apart, i + 1);
+    const double exact = MeanOfAbsorption(depth, lean, 0.5, i + 1);
+    errors.Nodes[i] = std::max(errors.Nodes[i], std::abs(sum / (2.0 * alpha) - exact));
+  }
+}
+
 void MeasureErrors(TilesMathErrors& errors)
 {
   CheckPacking(errors);
@@ -106,6 +128,9 @@ void MeasureErrors(TilesMathErrors& errors)
     const double mean = valueOf(AbsorptionMean(d, hn::Set(d, share), hn::Set(d, lean)));
     errors.Mean = std::max(errors.Mean, std::abs(mean - MeanOfAbsorption(share, lean)));
     MeasureThin(share * DeepestThin, lean, errors);
+    MeasureNodes(share * DeepestThin, lean, errors);
+    const double root = valueOf(TwiceInverseRoot(d, hn::Set(d, wide)));
+    errors.Root = std::max(errors.Root, std::abs(0.5 * root * std::sqrt(wide) - 1.0));
   }
 }
 }
@@ -124,7 +149,7 @@ namespace CellProjectionTiles
 HWY_EXPORT(MeasureErrors);
 }
 
-double MeanOfAbsorption(double depth, double lean)
+double MeanOfAbsorption(double depth, double lean, double from, int power)
 {
   double moment = 0.0, sum = 0.0;
   constexpr int Steps = 2000;
@@ -133,7 +158,7 @@ double MeanOfAbsorption(double depth, double lean)
     const double x = (i + 0.5) / Steps;
     const double before = depth * ((1.0 - lean) * x + lean * x * x);
     const double absorbed = (1.0 - lean + 2.0 * lean * x) * std::exp(-before);
-    moment += x * absorbed;
+    moment += std::pow(x - from, power) * absorbed;
     sum += absorbed;
   }
   return moment / sum;
@@ -149,13 +174,19 @@ int TestTilesMath(int, char*[])
     HWY_DYNAMIC_DISPATCH(CellProjectionTiles::MeasureErrors)(errors);
     std::cout << hwy::TargetName(target) << ": reciprocal " << errors.Reciprocal << ", absorption "
               << errors.Absorption << ", mean " << errors.Mean << ", of thin pieces "
-              << errors.ThinAbsorption << " and " << errors.ThinMean << "\n";
+              << errors.ThinAbsorption << " and " << errors.ThinMean << ", root " << errors.Root
+              << ", nodes " << errors.Nodes[0] << ", " << errors.Nodes[1] << ", "
+              << errors.Nodes[2] << "\n";
     CHECK_AT_MOST(errors.Reciprocal, 5e-7);
     CHECK_AT_MOST(errors.Absorption, 3e-7);
     CHECK_AT_MOST(errors.Mean, 1e-5);
     CHECK_AT_MOST(errors.ThinAbsorption, 4e-7);
     CHECK_AT_MOST(errors.ThinMean, 3e-5);
     CHECK(errors.Packed == 0);
+    CHECK_AT_MOST(errors.Root, 1e-6);
+    CHECK_AT_MOST(errors.Nodes[0], 3e-5);
+    CHECK_AT_MOST(errors.Nodes[1], 5e-3);
+    CHECK_AT_MOST(errors.Nodes[2], 1.3e-2);
   }
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
   return checks.Result();

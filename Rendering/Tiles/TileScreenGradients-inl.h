@@ -1,0 +1,147 @@
+/**
+ * Gradients at both ends of fragments in view coordinates, up to a factor.
+ *
+ * The gradient of a cell is linear in its points, hence times the weight linear in x, y and u on the
+ * screen (TileView): what that is made of is found once per cell, in the order of the fragments.
+ */
+#if defined(TileScreenGradients_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileScreenGradients_inl_h
+#undef TileScreenGradients_inl_h
+#else
+#define TileScreenGradients_inl_h
+#endif
+
+#include "TileCellFields.h"
+#include "TileLighting.h"
+#include "TilePieces-inl.h"
+#include "TileTask.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+class ScreenGradients
+{
+public:
+  ScreenGradients(
+    const TileCellFields& fields, const TileLighting& lighting, const TileRectangle& tile)
+    : Fields(fields)
+  {
+    const glm::dmat4& columns = lighting.ScreenToMesh;
+    const glm::dvec4 corner =
+      columns[3] + double(tile.Left) * columns[0] + double(tile.Bottom) * columns[1];
+    for (int i = 0; i < 4; ++i)
+    {
+      const glm::dvec4 terms(columns[0][i], columns[1][i], columns[2][i], corner[i]);
+      for (int k = 0; k < 4; ++k)
+      {
+        this->ToScreen[i][k] = static_cast<float>(terms[k]);
+      }
+    }
+    for (int i = 0; i < 9; ++i)
+    {
+      this->ToView[i / 3][i % 3] = lighting.GradientToView[i / 3][i % 3];
+    }
+  }
+
+  /// At the entry and the exit of the fragments from `at` on, `used` of them, times the weight.
+  HWY_INLINE void Find(const TileFragments& q, int at, int used, ShadeVector (&in)[3],
+    ShadeVector (&out)[3])
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    ShadeVector rows[Terms];
+    this->Load(q.Cell + at, used, rows);
+    const auto pixel = hn::Load(di, q.Pixel + at);
+    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
+    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
+    const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
+    for (int k = 0; k < 3; ++k)
+    {
+      const ShadeVector* r = rows + 4 * k;
+      in[k] = hn::MulAdd(r[0], x, hn::MulAdd(r[1], y, hn::MulAdd(r[2], entry, r[3])));
+      out[k] = hn::NegMulAdd(r[2], extent, in[k]);
+    }
+  }
+
+private:
+  static constexpr int Terms = 4 * TileCellFields::Functions;
+
+  /// `cells`: ids; those of one cell follow each other.
+  HWY_INLINE void Load(const int* cells, int used, ShadeVector (&rows)[Terms])
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    std::uint8_t bits[8] = {};
+    hn::StoreMaskBits(di, hn::Ne(hn::LoadU(di, cells), hn::LoadU(di, cells + 1)), bits);
+    // Bit k: lane k + 1 is of another cell than lane k.
+    unsigned int ends = (bits[0] | bits[1] << 8) & ((1u << (used - 1)) - 1);
+    this->Take(cells[0]);
+    for (int i = 0; i < Terms; ++i)
+    {
+      rows[i] = hn::Set(d, this->Values[i]);
+    }
+    for (; ends != 0; ends &= ends - 1)
+    {
+      const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(ends) + 1;
+      const auto before = hn::FirstN(d, lane);
+      this->Take(cells[lane]);
+      for (int i = 0; i < Terms; ++i)
+      {
+        rows[i] = hn::IfThenElse(before, rows[i], hn::Set(d, this->Values[i]));
+      }
+    }
+  }
+
+  /// Goes over to a cell.
+  HWY_INLINE void Take(int cell)
+  {
+    if (cell == this->Cell)
+    {
+      return;
+    }
+    this->Cell = cell;
+    const hn::CappedTag<float, 4> d;
+    const float* values =
+      this->Fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cell);
+    for (std::size_t k = 0; k < 4; k += hn::Lanes(d))
+    {
+      hn::Vec<decltype(d)> mesh[3];
+      for (int i = 0; i < 3; ++i)
+      {
+        const float* row = values + 4 * i;
+        mesh[i] = hn::Mul(hn::Set(d, row[0]), hn::Load(d, this->ToScreen[0] + k));
+        mesh[i] = hn::MulAdd(hn::Set(d, row[1]), hn::Load(d, this->ToScreen[1] + k), mesh[i]);
+        mesh[i] = hn::MulAdd(hn::Set(d, row[2]), hn::Load(d, this->ToScreen[2] + k), mesh[i]);
+        mesh[i] = hn::MulAdd(hn::Set(d, row[3]), hn::Load(d, this->ToScreen[3] + k), mesh[i]);
+      }
+      for (int i = 0; i < 3; ++i)
+      {
+        auto view = hn::Mul(hn::Set(d, this->ToView[0][i]), mesh[0]);
+        view = hn::MulAdd(hn::Set(d, this->ToView[1][i]), mesh[1], view);
+        view = hn::MulAdd(hn::Set(d, this->ToView[2][i]), mesh[2], view);
+        hn::Store(view, d, this->Values + 4 * i + k);
+      }
+    }
+  }
+
+  const TileCellFields& Fields;
+  // Row i: what the mesh coordinate i, last 1, is times the weight of x, y, u and 1.
+  alignas(16) float ToScreen[4][4];
+  float ToView[3][3];
+  int Cell = -1;
+  // Of x, y, u and 1, per component.
+  alignas(16) float Values[Terms];
+};
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
