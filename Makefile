@@ -33,7 +33,7 @@ test: build
 	cd $(BUILD) && ./offscreen.sh ctest --output-on-failure --no-tests=error -j 2 \
 	  $(if $(LABEL),-L '^$(LABEL)$$') $(if $(WITHOUT),-LE '^$(WITHOUT)$$')
 
-# BENCH: a section alone (mappers, scaling, tiles, sorts, ...), or all; BENCH_FOLDER is where the table and the plots
+# BENCH: a section alone (mappers, scaling, tiles, instructions, sorts, ...), or all; BENCH_FOLDER is where the table and the plots
 # of scaling go.
 BENCH ?= all
 BENCH_FRAMES ?= 9

@@ -16,6 +16,7 @@
 #include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
+#include "InstructionSetsBenchmark.h"
 #include "IsoBenchmark.h"
 #include "RealMeshes.h"
 #include "ScalingBenchmark.h"
@@ -157,6 +158,14 @@ void CompareLevels(const BenchmarkMesh& mesh, const std::string& folder, int fra
   SimplificationBenchmark(mesh.Name, mesh.Grid).Run({ 0.02, 0.04, 0.06 }, frames);
 }
 
+void CompareInstructions(const BenchmarkMesh& mesh, int frames)
+{
+  InstructionSetsBenchmark::Run(mesh.Name, mesh.Grid, frames);
+  const auto lattice = SortBenchmark::MakeLattice(32);
+  SortMeshes::AddScalar(lattice);
+  InstructionSetsBenchmark::Run("a jittered lattice", lattice, frames);
+}
+
 // The sizes of the paper's meshes.
 std::vector<BenchmarkMesh> MakePaperMeshes(const BenchmarkMesh& mesh)
 {
@@ -209,6 +218,10 @@ int main(int argc, char* argv[])
   if (section.empty() || section == "tiles")
   {
     TilesBenchmark::Run(mesh.Name, mesh.Grid, frames);
+  }
+  if (section.empty() || section == "instructions")
+  {
+    CompareInstructions(mesh, frames);
   }
   if (section.empty() || section == "sorts")
   {
