@@ -70,6 +70,7 @@ void vtkMaximumProjectionMapper::SortCells(CellProjectionFrame& frame)
   {
     this->Internal->SelectedLeast = least;
     polyhedra.SelectionTime = vtkTimeStamp();
+    this->Internal->Tiles.RenewScalars();
   }
   constexpr float end = std::numeric_limits<float>::max();
   polyhedra.Prepare(this->GetPreparedVolume(), [&function, least](float low, float high)
@@ -106,8 +107,12 @@ const float* vtkMaximumProjectionMapper::DrawTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
-  return drawn ? internal.Engine.GetImage().data() : nullptr;
+  if (!internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared)))
+  {
+    return nullptr;
+  }
+  PolyhedraTiles::FillStatistics(internal.Engine, frame.Statistics);
+  return internal.Engine.GetImage().data();
 }
 
 //------------------------------------------------------------------------------

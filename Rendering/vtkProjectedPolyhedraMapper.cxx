@@ -102,8 +102,12 @@ const float* vtkProjectedPolyhedraMapper::DrawTiles(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
   const PreparedVolume& prepared = this->GetPreparedVolume();
-  const bool drawn = internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared));
-  return drawn ? internal.Engine.GetImage().data() : nullptr;
+  if (!internal.Engine.Render(PolyhedraTiles::DescribeScene(frame, prepared)))
+  {
+    return nullptr;
+  }
+  PolyhedraTiles::FillStatistics(internal.Engine, frame.Statistics);
+  return internal.Engine.GetImage().data();
 }
 
 //------------------------------------------------------------------------------

@@ -63,5 +63,5 @@ if(CELLPROJECTION_SANITIZE STREQUAL "address")
 endif()
 cellprojection_add_kernels(CellProjectionTilesKernels
   SOURCES ${tiles_sources}
-  HELPERS MeshLattice.cxx TestChecks.cxx TileArrays.cxx
+  HELPERS HexahedraArrays.cxx MeshLattice.cxx TestChecks.cxx TileArrays.cxx
   TESTS TestRadixSort.cxx TestTilesExtremes.cxx TestTilesKernels.cxx TestTilesMath.cxx)

@@ -4,6 +4,7 @@
 #include "ConvexTileFaces.h"
 #include "ConvexTileMesh.h"
 #include "TileCells.h"
+#include "TileClusters.h"
 #include "TileVertices.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
@@ -15,33 +16,42 @@ namespace
 {
 bool HasFaceInDoubt(const ConvexTileMesh& mesh, const ConvexTileFaces& faces, int cell)
 {
-  const int* row = mesh.Cells->Faces.GetRow(cell);
-  return std::any_of(row, row + mesh.Cells->Faces.GetSize(cell),
+  const int* row = mesh.Faces.GetRow(cell);
+  return std::any_of(row, row + mesh.Faces.GetSize(cell),
     [&](int face) { return faces.Values[face].Side == 0.0f; });
 }
 
-bool FallsFar(
-  const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices, int cell)
+ConvexTileCells::Depths FindDepths(
+  const ConvexTileMesh& mesh, const TileVertices& vertices, int cell)
 {
-  const int* ids = mesh.Cells->Corners.GetRow(cell);
-  float low = vertices.Values[4 * static_cast<std::size_t>(ids[0]) + 2], high = low;
-  for (int i = 1; i < mesh.Cells->Corners.GetSize(cell); ++i)
+  const int* ids = mesh.Corners.GetRow(cell);
+  ConvexTileCells::Depths depths = { TileVertices::OffScreen, -TileVertices::OffScreen };
+  for (int i = 0; i < mesh.Corners.GetSize(cell); ++i)
   {
-    const float u = vertices.Values[4 * static_cast<std::size_t>(ids[i]) + 2];
-    low = std::min(low, u);
-    high = std::max(high, u);
+    const float* corner = &vertices.Values[4 * static_cast<std::size_t>(ids[i])];
+    if (corner[0] == TileVertices::OffScreen)
+    {
+      return { -TileVertices::OffScreen, TileVertices::OffScreen };
+    }
+    depths.Farthest = std::min(depths.Farthest, corner[2]);
+    depths.Nearest = std::max(depths.Nearest, corner[2]);
   }
-  return view.WeightScale * low + view.WeightOffset <
-         ConvexTileCells::LeastShare * (view.WeightScale * high + view.WeightOffset);
+  return depths;
+}
+
+bool FallsFar(const TileView& view, const ConvexTileCells::Depths& depths)
+{
+  return view.WeightScale * depths.Farthest + view.WeightOffset <
+         ConvexTileCells::LeastShare * (view.WeightScale * depths.Nearest + view.WeightOffset);
 }
 
 std::array<int, 4> FindBox(
   const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices, int cell)
 {
-  const int* ids = mesh.Cells->Corners.GetRow(cell);
+  const int* ids = mesh.Corners.GetRow(cell);
   float low[2] = { TileVertices::OffScreen, TileVertices::OffScreen };
   float high[2] = { -TileVertices::OffScreen, -TileVertices::OffScreen };
-  for (int i = 0; i < mesh.Cells->Corners.GetSize(cell); ++i)
+  for (int i = 0; i < mesh.Corners.GetSize(cell); ++i)
   {
     const float* corner = &vertices.Values[4 * static_cast<std::size_t>(ids[i])];
     for (int k = 0; k < 2; ++k)
@@ -72,28 +82,41 @@ void ConvexTileCells::SetBox(int cell, const std::array<int, 4>& box)
 
 //------------------------------------------------------------------------------
 void ConvexTileCells::Project(const ConvexTileMesh& mesh, const TileView& view,
-  const TileVertices& vertices, const ConvexTileFaces& faces, bool allExact)
+  const TileVertices& vertices, const TileClusters& clusters, const ConvexTileFaces& faces,
+  bool allExact)
 {
-  const auto cells = static_cast<std::size_t>(mesh.GetNumberOfCells());
-  this->Tiles.resize(cells);
-  this->Boxes.resize(cells);
-  this->Exact.resize(cells);
-  vtkSMPTools::For(0, static_cast<vtkIdType>(cells),
+  const int cells = mesh.GetNumberOfCells();
+  this->Tiles.resize(static_cast<std::size_t>(cells));
+  this->Boxes.resize(static_cast<std::size_t>(cells));
+  this->Exact.resize(static_cast<std::size_t>(cells));
+  this->Ranges.resize(static_cast<std::size_t>(cells));
+  constexpr int Size = TileClusters::Size;
+  vtkSMPTools::For(0, (cells + Size - 1) / Size, 32,
     [&](vtkIdType begin, vtkIdType end)
     {
-      for (auto cell = static_cast<int>(begin); cell < end; ++cell)
+      for (auto cluster = static_cast<int>(begin); cluster < end; ++cluster)
       {
-        if (!mesh.Drawn[cell])
+        const int first = cluster * Size, last = std::min(first + Size, cells);
+        std::fill(this->Tiles.begin() + first, this->Tiles.begin() + last, TileCells::NoTile);
+        for (int cell = first; clusters.IsSeen(first) && cell < last; ++cell)
         {
-          this->SetBox(cell, { { 0, 0, -1, -1 } });
-          continue;
+          if (mesh.Drawn[cell])
+          {
+            this->ProjectCell(mesh, view, vertices, faces, allExact, cell);
+          }
         }
-        const bool isExact = allExact || HasFaceInDoubt(mesh, faces, cell) ||
-                             FallsFar(mesh, view, vertices, cell);
-        this->Exact[cell] = isExact ? 1 : 0;
-        this->SetBox(cell,
-          this->Exact[cell] ? ConvexTileExactCell::FindBox(mesh, view, cell)
-                            : FindBox(mesh, view, vertices, cell));
       }
     });
+}
+
+//------------------------------------------------------------------------------
+void ConvexTileCells::ProjectCell(const ConvexTileMesh& mesh, const TileView& view,
+  const TileVertices& vertices, const ConvexTileFaces& faces, bool isExact, int cell)
+{
+  this->Ranges[cell] = FindDepths(mesh, vertices, cell);
+  isExact = isExact || HasFaceInDoubt(mesh, faces, cell) || FallsFar(view, this->Ranges[cell]);
+  this->Exact[cell] = isExact ? 1 : 0;
+  this->SetBox(cell,
+    isExact ? ConvexTileExactCell::FindBox(mesh, view, cell)
+            : FindBox(mesh, view, vertices, cell));
 }

@@ -10,20 +10,28 @@
 
 class ConvexTileFaces;
 class ConvexTileMesh;
+class TileClusters;
 class TileVertices;
 class TileView;
 
 class ConvexTileCells
 {
 public:
-  /** Cells that are not drawn get no tile. `allExact`: whether all are set up in double. */
+  /** Cells that are not drawn, or in clusters that are not seen, get no tile, and nothing else is said
+   *  of them. `allExact`: whether all are set up in double. */
   void Project(const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices,
-    const ConvexTileFaces& faces, bool allExact);
+    const TileClusters& clusters, const ConvexTileFaces& faces, bool allExact);
 
   /** As those of class TileCells. */
   std::vector<std::uint32_t> Tiles;
   /** First and last pixel column, first and last row. */
   std::vector<std::array<short, 4>> Boxes;
+  /** u of its corners; without bounds where one of them has no place on the screen. */
+  struct Depths
+  {
+    float Farthest, Nearest;
+  };
+  std::vector<Depths> Ranges;
   /** Not 0: the cell needs class ConvexTileExactCell. */
   std::vector<unsigned char> Exact;
 
@@ -33,6 +41,8 @@ public:
   static constexpr int MostParts = 16;
 
 private:
+  void ProjectCell(const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices,
+    const ConvexTileFaces& faces, bool isExact, int cell);
   void SetBox(int cell, const std::array<int, 4>& box);
 };
 

@@ -20,6 +20,7 @@
 #include "ConvexTileRays.h"
 #include "ConvexTileTask.h"
 #include "TileCoverage-inl.h"
+#include "TileLimits.h"
 
 #include <hwy/highway.h>
 
@@ -44,7 +45,23 @@ struct CellBox
     , LastY(std::min<int>(box[3], tile.LastY))
   {
   }
+  explicit CellBox(const TileRectangle& tile)
+    : FirstX(tile.FirstX)
+    , FirstY(tile.FirstY)
+    , LastX(tile.LastX)
+    , LastY(tile.LastY)
+  {
+  }
 };
+
+/// Whether opaque geometry and clipping planes leave nothing of a cell in a box.
+inline bool IsCutOff(const ConvexTileTask& task, int cell, const CellBox& box)
+{
+  const ConvexTileCells::Depths& depths = task.Cells->Ranges[cell];
+  const int first[2] = { box.FirstX, box.FirstY }, last[2] = { box.LastX, box.LastY };
+  return task.LeavesOut &&
+         task.Common.Limits->CutsOff(first, last, depths.Farthest, depths.Nearest);
+}
 
 /// A face over a box: u, s and g are P + A x + B y, x and y from the box's corner.
 struct CellFace
@@ -101,7 +118,7 @@ struct CellFaces
 
   CellFaces(const ConvexTileTask& task, int cell, const CellBox& box)
   {
-    const ConvexCellFaces::Rows& rows = task.Mesh->Cells->Faces;
+    const ConvexCellFaces::Rows& rows = task.Mesh->Faces;
     for (const bool wantsEntry : { true, false })
     {
       for (int at = rows.Offsets[cell]; at < rows.Offsets[cell + 1]; ++at)
@@ -127,7 +144,7 @@ private:
   void AddMixed(
     const ConvexTileTask& task, int at, const CellFace& face, bool isEntry, bool wantsEntry)
   {
-    const int id = task.Mesh->Cells->Faces.Values[at];
+    const int id = task.Mesh->Faces.Values[at];
     const bool isValley = task.Mesh->Pieces->Planes[id].IsRaised != (task.Mesh->Sides[at] > 0);
     if (!isValley)
     {
@@ -355,7 +372,7 @@ void CoverAnyConvexCell(const ConvexTileTask& task, const TileRectangle& tile, i
   {
     return;
   }
-  if (task.Cells->Exact[cell] || task.Mesh->Cells->Faces.GetSize(cell) > CellFaces::Most)
+  if (task.Cells->Exact[cell] || task.Mesh->Faces.GetSize(cell) > CellFaces::Most)
   {
     CoverExactConvexCell(task, tile, cell, box, exact, out, flush);
   }

@@ -38,16 +38,16 @@ void ConvexTileExactCell::SetUp(const ConvexTileMesh& mesh, int cell)
   this->Pieces.clear();
   this->HasCellScalar = !mesh.CellScalars.empty();
   this->CellScalar = this->HasCellScalar ? mesh.CellScalars[cell] : 0.0;
-  const ConvexCellFaces::Rows& corners = mesh.Cells->Corners;
+  const ConvexCellFaces::Rows& corners = mesh.Corners;
   this->Center = glm::dvec3(0.0);
   for (int i = 0; i < corners.GetSize(cell); ++i)
   {
     this->Center += PointOf(mesh, corners.GetRow(cell)[i]) / double(corners.GetSize(cell));
   }
-  const std::vector<int>& offsets = mesh.Cells->Faces.Offsets;
+  const std::vector<int>& offsets = mesh.Faces.Offsets;
   for (int at = offsets[cell]; at < offsets[cell + 1]; ++at)
   {
-    this->AddFace(mesh, mesh.Cells->Faces.Values[at], mesh.Sides[at] > 0);
+    this->AddFace(mesh, mesh.Faces.Values[at], mesh.Sides[at] > 0);
   }
 }
 
@@ -251,8 +251,8 @@ bool ConvexTileExactCell::Cross(
 std::array<int, 4> ConvexTileExactCell::FindBox(
   const ConvexTileMesh& mesh, const TileView& view, int cell)
 {
-  const int* ids = mesh.Cells->Corners.GetRow(cell);
-  const int count = mesh.Cells->Corners.GetSize(cell);
+  const int* ids = mesh.Corners.GetRow(cell);
+  const int count = mesh.Corners.GetSize(cell);
   double low[2] = { 2e6, 2e6 }, high[2] = { -2e6, -2e6 };
   auto add = [&](const glm::dvec4& screen)
   {

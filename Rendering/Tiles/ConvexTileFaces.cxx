@@ -7,6 +7,7 @@
 
 #include "ConvexTileFaces.h"
 #include "ConvexTileMesh.h"
+#include "TileClusterBlocks.h"
 #include "TileRecords-inl.h"
 #include "TileVertices.h"
 #include "TileView.h"
@@ -260,18 +261,30 @@ HWY_EXPORT(ProjectFaces);
 
 //------------------------------------------------------------------------------
 void ConvexTileFaces::Project(const ConvexTileMesh& mesh, const TileView& view,
-  const TileVertices& vertices, const Bounds& bounds)
+  const TileVertices& vertices, const TileClusterBlocks& blocks, const Bounds& bounds)
 {
-  const int faces = mesh.Cells->GetNumberOfFaces();
+  const int faces = mesh.GetNumberOfFaces();
   this->Values.resize(static_cast<std::size_t>(faces));
-  constexpr int Share = 4096;
-  vtkSMPTools::For(0, (faces + Share - 1) / Share, 1,
+  constexpr int Size = TileClusterBlocks::Size;
+  vtkSMPTools::For(0, (faces + Size - 1) / Size, 128,
     [&](vtkIdType begin, vtkIdType end)
     {
-      const int first = static_cast<int>(begin) * Share;
-      const int last = std::min(static_cast<int>(end) * Share, faces);
-      HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ProjectFaces)
-      (mesh, view, vertices, bounds, first, last, this->Values.data());
+      const auto isSeen = [&](vtkIdType block)
+      { return blocks.IsSeen(static_cast<std::size_t>(block)); };
+      for (vtkIdType block = begin; block < end; ++block)
+      {
+        const auto first = static_cast<int>(block) * Size;
+        while (block < end && isSeen(block))
+        {
+          ++block;
+        }
+        const int last = std::min(static_cast<int>(block) * Size, faces);
+        if (first < last)
+        {
+          HWY_DYNAMIC_DISPATCH(CellProjectionTiles::ProjectFaces)
+          (mesh, view, vertices, bounds, first, last, this->Values.data());
+        }
+      }
     });
 }
 #endif

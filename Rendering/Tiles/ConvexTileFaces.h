@@ -14,6 +14,7 @@
 #include <vector>
 
 class ConvexTileMesh;
+class TileClusterBlocks;
 class TileVertices;
 class TileView;
 
@@ -51,8 +52,9 @@ public:
     }
   };
 
+  /** Those in `blocks` that are not seen are left as they are. */
   void Project(const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices,
-    const Bounds& bounds);
+    const TileClusterBlocks& blocks, const Bounds& bounds);
 
   /** One per face. */
   std::vector<ConvexTileFace> Values;

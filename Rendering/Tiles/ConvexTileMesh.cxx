@@ -1,5 +1,7 @@
 #include "ConvexTileMesh.h"
 
+#include "MortonOrder.h"
+#include "vtkBoundingBox.h"
 #include "vtkSMPTools.h"
 
 #include <glm/geometric.hpp>
@@ -11,31 +13,70 @@
 void ConvexTileMesh::Build(const std::vector<float>& points, const ConvexCellFaces& cells,
   const FacePieces& pieces, const CellPlanes& planes)
 {
-  this->Cells = &cells;
   this->Pieces = &pieces;
   this->Points = points;
   this->CellScalars.clear();
+  this->OrderCells(cells.Corners);
+  CopyRows(cells.Corners, this->Source, this->Corners);
+  CopyRows(cells.Faces, this->Source, this->Faces);
+  this->Steps.resize(static_cast<std::size_t>(cells.GetNumberOfFaces()));
   this->FindSides(planes);
   this->FindSteps();
-  this->Drawn.assign(static_cast<std::size_t>(cells.GetNumberOfCells()), 0);
+  this->Drawn.assign(this->Source.size(), 0);
+}
+
+//------------------------------------------------------------------------------
+void ConvexTileMesh::OrderCells(const ConvexCellFaces::Rows& corners)
+{
+  std::vector<double> middles;
+  vtkBoundingBox box;
+  for (int cell = 0; cell < corners.GetNumberOfRows(); ++cell)
+  {
+    double middle[3] = { 0.0, 0.0, 0.0 };
+    for (int i = 0; i < corners.GetSize(cell); ++i)
+    {
+      const float* point = &this->Points[4 * static_cast<std::size_t>(corners.GetRow(cell)[i])];
+      for (int k = 0; k < 3; ++k)
+      {
+        middle[k] += static_cast<double>(point[k]) / corners.GetSize(cell);
+      }
+    }
+    middles.insert(middles.end(), middle, middle + 3);
+    box.AddPoint(middle);
+  }
+  this->Source = middles.empty() ? std::vector<int>() : MortonOrder::Find(middles, box);
+}
+
+//------------------------------------------------------------------------------
+void ConvexTileMesh::CopyRows(
+  const ConvexCellFaces::Rows& from, const std::vector<int>& rows, ConvexCellFaces::Rows& to)
+{
+  to.Offsets.assign(1, 0);
+  to.Values.clear();
+  to.Values.reserve(from.Values.size());
+  for (const int row : rows)
+  {
+    to.Values.insert(to.Values.end(), from.GetRow(row), from.GetRow(row) + from.GetSize(row));
+    to.Offsets.push_back(static_cast<int>(to.Values.size()));
+  }
 }
 
 //------------------------------------------------------------------------------
 void ConvexTileMesh::FindSides(const CellPlanes& planes)
 {
-  const ConvexCellFaces& cells = *this->Cells;
-  this->Sides.resize(cells.Faces.Values.size());
-  this->IsSolid.resize(static_cast<std::size_t>(cells.GetNumberOfCells()));
-  vtkSMPTools::For(0, cells.GetNumberOfCells(),
+  this->Sides.resize(this->Faces.Values.size());
+  this->IsSolid.resize(this->Source.size());
+  vtkSMPTools::For(0, this->GetNumberOfCells(),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto cell = static_cast<int>(begin); cell < end; ++cell)
       {
-        this->IsSolid[cell] = planes.Headers[cell][1] != 0 ? 1 : 0;
-        const glm::vec3 center(planes.Texels[planes.Headers[cell][0]]);
-        for (int at = cells.Faces.Offsets[cell]; at < cells.Faces.Offsets[cell + 1]; ++at)
+        const auto& header = planes.Headers[this->Source[cell]];
+        this->IsSolid[cell] = header[1] != 0 ? 1 : 0;
+        const glm::vec3 center(planes.Texels[header[0]]);
+        for (int at = this->Faces.Offsets[cell]; at < this->Faces.Offsets[cell + 1]; ++at)
         {
-          const int face = cells.Faces.Values[at];
+          const int face = this->Faces.Values[at];
           const FacePieces::Plane& plane = this->Pieces->Planes[face];
           const glm::vec3& first = this->Pieces->Shapes[this->Pieces->Offsets[face]].First;
           const double height =
@@ -49,16 +90,12 @@ void ConvexTileMesh::FindSides(const CellPlanes& planes)
 //------------------------------------------------------------------------------
 void ConvexTileMesh::FindSteps()
 {
-  if (!this->CellScalars.empty())
-  {
-    this->Steps.assign(static_cast<std::size_t>(this->Cells->GetNumberOfFaces()), 1);
-    return;
-  }
+  const bool mayStep = !this->CellScalars.empty();
+  std::fill(this->Steps.begin(), this->Steps.end(), static_cast<unsigned char>(mayStep ? 1 : 0));
   // The first cell of a face makes it an end, the second one does not leave it so.
-  this->Steps.assign(static_cast<std::size_t>(this->Cells->GetNumberOfFaces()), 0);
-  for (const int face : this->Cells->Faces.Values)
+  for (const int face : this->Faces.Values)
   {
-    this->Steps[face] ^= 1;
+    this->Steps[face] ^= mayStep ? 0 : 1;
   }
 }
 
@@ -69,7 +106,7 @@ void ConvexTileMesh::SetScalars(const std::vector<float>& values, bool onePerCel
   this->FindSteps();
   for (std::size_t i = 0; i < this->CellScalars.size(); ++i)
   {
-    this->CellScalars[i] = sign * values[i];
+    this->CellScalars[i] = sign * values[this->Source[i]];
   }
   for (std::size_t i = 3; i < this->Points.size(); i += 4)
   {
@@ -78,13 +115,21 @@ void ConvexTileMesh::SetScalars(const std::vector<float>& values, bool onePerCel
 }
 
 //------------------------------------------------------------------------------
-void ConvexTileMesh::SetDrawn(const std::vector<unsigned int>& cells)
+bool ConvexTileMesh::SetDrawn(const std::vector<unsigned int>& cells)
 {
-  std::fill(this->Drawn.begin(), this->Drawn.end(), static_cast<unsigned char>(0));
+  std::vector<unsigned char> given(this->Drawn.size(), 0);
   for (const unsigned int cell : cells)
   {
-    this->Drawn[cell] = this->IsSolid[cell];
+    given[cell] = 1;
   }
+  std::vector<unsigned char> drawn(given.size());
+  for (std::size_t cell = 0; cell < drawn.size(); ++cell)
+  {
+    drawn[cell] = given[this->Source[cell]] & this->IsSolid[cell];
+  }
+  const bool isNew = drawn != this->Drawn;
+  this->Drawn.swap(drawn);
+  return isNew;
 }
 
 //------------------------------------------------------------------------------
@@ -94,9 +139,9 @@ float ConvexTileMesh::FindGreatest(int cell) const
   {
     return this->CellScalars[cell];
   }
-  const int* corners = this->Cells->Corners.GetRow(cell);
+  const int* corners = this->Corners.GetRow(cell);
   float greatest = this->Points[4 * static_cast<std::size_t>(corners[0]) + 3];
-  for (int i = 1; i < this->Cells->Corners.GetSize(cell); ++i)
+  for (int i = 1; i < this->Corners.GetSize(cell); ++i)
   {
     greatest = std::max(greatest, this->Points[4 * static_cast<std::size_t>(corners[i]) + 3]);
   }
@@ -107,5 +152,7 @@ float ConvexTileMesh::FindGreatest(int cell) const
 std::size_t ConvexTileMesh::GetMemorySize() const
 {
   return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() +
-         this->Steps.size() + this->Drawn.size() + this->IsSolid.size();
+         this->Steps.size() + this->Drawn.size() + this->IsSolid.size() +
+         4 * (this->Source.size() + this->Corners.Offsets.size() + this->Corners.Values.size() +
+               this->Faces.Offsets.size() + this->Faces.Values.size());
 }

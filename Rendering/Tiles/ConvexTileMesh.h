@@ -2,7 +2,8 @@
  * Convex cells as the tiles read them: faces as triangles, shared faces once.
  *
  * A scalar is linear on each triangle of a face and along a ray between the faces where it enters
- * and leaves a cell. Cells and faces keep the numbers that they were given.
+ * and leaves a cell. Cells follow each other along a curve (class MortonOrder); faces and points keep
+ * the numbers that they were given.
  */
 #ifndef ConvexTileMesh_h
 #define ConvexTileMesh_h
@@ -17,30 +18,34 @@
 class ConvexTileMesh
 {
 public:
-  /** `points`: x, y, z and an unused fourth each. The others are read from frame to frame and must
+  /** `points`: x, y, z and an unused fourth each. `pieces` are read from frame to frame and must
    *  outlive this mesh. */
   void Build(const std::vector<float>& points, const ConvexCellFaces& cells,
     const FacePieces& pieces, const CellPlanes& planes);
 
-  /** One per point or per cell; `sign` -1 turns greatest into least. */
+  /** One per point or per cell as given; `sign` -1 turns greatest into least. */
   void SetScalars(const std::vector<float>& values, bool onePerCell, float sign);
 
-  /** Ids of the cells to be seen; flat ones are left out. */
-  void SetDrawn(const std::vector<unsigned int>& cells);
+  /** Ids as given of the cells to be seen; flat ones are left out. False where they are those of before. */
+  bool SetDrawn(const std::vector<unsigned int>& cells);
 
-  int GetNumberOfCells() const { return this->Cells ? this->Cells->GetNumberOfCells() : 0; }
+  int GetNumberOfCells() const { return this->Corners.GetNumberOfRows(); }
+  int GetNumberOfFaces() const { return static_cast<int>(this->Steps.size()); }
   std::size_t GetMemorySize() const;
 
   /** The greatest scalar of a cell's corners. */
   float FindGreatest(int cell) const;
 
-  const ConvexCellFaces* Cells = nullptr;
+  /** Which of the given cells each one is. */
+  std::vector<int> Source;
+  /** Points and faces per cell. */
+  ConvexCellFaces::Rows Corners, Faces;
   const FacePieces* Pieces = nullptr;
   /** x, y, z, scalar. */
   std::vector<float> Points;
   /** Empty where scalars are the points'. */
   std::vector<float> CellScalars;
-  /** Per face of each cell, in the order of Cells->Faces: 1 where the face's normal points into the
+  /** Per face of each cell, in the order of Faces: 1 where the face's normal points into the
    *  cell, -1 where out of it. */
   std::vector<signed char> Sides;
   /** Per face: whether the scalar may step there, or the mesh ends. */
@@ -48,6 +53,9 @@ public:
   std::vector<unsigned char> Drawn;
 
 private:
+  void OrderCells(const ConvexCellFaces::Rows& corners);
+  static void CopyRows(
+    const ConvexCellFaces::Rows& from, const std::vector<int>& rows, ConvexCellFaces::Rows& to);
   void FindSides(const CellPlanes& planes);
   void FindSteps();
 

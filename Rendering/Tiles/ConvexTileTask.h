@@ -19,6 +19,8 @@ struct ConvexTileTask
   const ConvexTileRays* Rays = nullptr;
   const ConvexTileFaces* Faces = nullptr;
   const ConvexTileCells* Cells = nullptr;
+  /** Whether cells are left out of which the limits leave nothing in a tile. */
+  bool LeavesOut = false;
 };
 
 #endif

@@ -1,6 +1,6 @@
 /**
- * The stages of a frame that all engines of convex cells share: points and faces to the screen,
- * cells to tiles, limits of the rays. What stands from the last frame on is not done again.
+ * The stages of a frame that all engines of convex cells share: limits of the rays, clusters that are
+ * not seen left out, points and faces to the screen, cells to tiles. What stands from the last frame on is not done again.
  */
 #ifndef ConvexTilesFrame_h
 #define ConvexTilesFrame_h
@@ -11,6 +11,7 @@
 #include "ConvexTileRays.h"
 #include "ConvexTileTask.h"
 #include "TileBins.h"
+#include "TileClusters.h"
 #include "TileLimits.h"
 #include "TileLoop.h"
 #include "TileScratchPool.h"
@@ -35,6 +36,9 @@ public:
     const float* OpaqueDepth = nullptr;
     std::vector<glm::vec4> ClippingPlanes;
     TileLoop::AbortCheck IsAborted;
+    /** Leaves out clusters that are not seen, and in each tile cells of which nothing is left; the image
+     *  is the same. */
+    bool LeavesOut = true;
   };
 
   /** See class ConvexTileMesh. */
@@ -57,12 +61,20 @@ public:
     std::function<void(const TileRectangle& tile, const int* cells, int count, TileScratch&)>;
   bool Draw(const TileLoop::AbortCheck& isAborted, const Drawer& draw);
 
+  /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
+  long long CountCellsOutside() const { return this->Clusters.CountCellsOutside(); }
+  long long CountCellsSeen() const { return this->Clusters.CountCellsSeen(); }
+
   ConvexTileMesh Mesh;
   TileView View;
   ConvexTileTask Task;
   TileCounts Counts;
 
 private:
+  void Cull(const Scene& scene);
+  void Transform();
+
+  TileClusters Clusters;
   ConvexTileRays Rays;
   TileVertices Vertices;
   ConvexTileFaces Faces;
@@ -77,6 +89,7 @@ private:
   ConvexTileFaces::Bounds SeenBounds;
   bool SeenAllExact = false;
   bool HasView = false;
+  bool HasPoints = false;
   bool HasCells = false;
 };
 

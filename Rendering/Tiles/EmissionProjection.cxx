@@ -71,6 +71,11 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
   };
   for (int i = 0; i < count; ++i)
   {
+    if (IsCutOff(task, cells[i], CellBox(task.Cells->Boxes[cells[i]], tile)))
+    {
+      ++scratch.Counts.HiddenCells;
+      continue;
+    }
     CoverAnyConvexCell(task, tile, cells[i], shapes, scratch.ExactCell, q, flush);
     if (q.Count >= TileFragments::Full)
     {

@@ -29,6 +29,10 @@ public:
   /** Red, green, blue and 0, first row at the bottom. */
   const std::vector<float>& GetImage() const { return this->Image; }
   const TileCounts& GetCounts() const { return this->Frame.Counts; }
+  /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
+  long long CountCellsOutside() const { return this->Frame.CountCellsOutside(); }
+  /** Cells of the clusters that it looked at. */
+  long long CountCellsSeen() const { return this->Frame.CountCellsSeen(); }
 
 private:
   ConvexTilesFrame Frame;

@@ -82,14 +82,30 @@ void DrawExtrema(const ConvexTileTask& task, const TileRectangle& tile, const in
   const float* greatest, TileScratch& scratch, float* extrema)
 {
   static const BlockShapes shapes;
+  // Cells in vain after which all of the tile is looked at.
+  constexpr int Worthwhile = 32;
   ExtremumTile values;
+  const CellBox whole(tile);
+  int inVain = 0;
   TileFragments& q = scratch.Fragments;
   q.Count = 0;
   for (int i = 0; i < count; ++i)
   {
     const int cell = cells[i];
-    if (values.HasAtLeast(greatest[cell], CellBox(task.Cells->Boxes[cell], tile), tile))
+    const CellBox box(task.Cells->Boxes[cell], tile);
+    if (values.HasAtLeast(greatest[cell], box, tile))
     {
+      ++inVain;
+      if (inVain % Worthwhile == 0 && values.HasAtLeast(greatest[cell], whole, tile))
+      {
+        // Those that follow hold nothing greater.
+        break;
+      }
+      continue;
+    }
+    if (IsCutOff(task, cell, box))
+    {
+      ++scratch.Counts.HiddenCells;
       continue;
     }
     auto flush = [&]

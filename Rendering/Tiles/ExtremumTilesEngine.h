@@ -30,6 +30,10 @@ public:
   const std::vector<float>& GetImage() const { return this->Image; }
   /** Cells: those that could change a pixel, summed over the tiles. */
   const TileCounts& GetCounts() const { return this->Frame.Counts; }
+  /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
+  long long CountCellsOutside() const { return this->Frame.CountCellsOutside(); }
+  /** Cells of the clusters that it looked at. */
+  long long CountCellsSeen() const { return this->Frame.CountCellsSeen(); }
 
 private:
   void OrderCells();

@@ -22,9 +22,10 @@ void TileBins::VisitShare(const std::vector<std::uint32_t>& boxes, const std::ve
   for (std::size_t i = first; i < last; ++i)
   {
     const int cell = order ? (*order)[i] : static_cast<int>(i);
-    if (clusters && !order && !clusters->IsSeen(cell))
+    if (clusters && !clusters->IsSeen(cell))
     {
-      i |= TileClusters::Size - 1;
+      // In the mesh's order the others of its cluster follow.
+      i |= order ? 0 : TileClusters::Size - 1;
       continue;
     }
     const std::uint32_t box = boxes[cell];

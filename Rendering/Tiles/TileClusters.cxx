@@ -1,6 +1,6 @@
 #include "TileClusters.h"
 
-#include "TileCells.h"
+#include "ConvexTileMesh.h"
 #include "TileLimits.h"
 #include "TileMesh.h"
 #include "TileView.h"
@@ -35,9 +35,18 @@ void FindPlanes(const TileView& view, const std::vector<glm::vec4>& clipping,
   }
 }
 
-int NumberOfClusters(const TileMesh& mesh)
+// Where each cluster's part of a list begins, if that of a cell begins where `beginOf` says; one more at
+// the end.
+template <class BeginOf>
+std::vector<std::size_t> BeginsOf(int cells, const BeginOf& beginOf)
 {
-  return (mesh.GetNumberOfCells() + TileClusters::Size - 1) >> TileClusters::Shift;
+  std::vector<std::size_t> begins;
+  for (int cell = 0; cell < cells; cell += TileClusters::Size)
+  {
+    begins.push_back(beginOf(cell));
+  }
+  begins.push_back(beginOf(cells));
+  return begins;
 }
 
 template <class Work>
@@ -57,68 +66,84 @@ void ForClusters(int clusters, const Work& work)
 //------------------------------------------------------------------------------
 void TileClusters::Build(const TileMesh& mesh)
 {
-  const int clusters = NumberOfClusters(mesh);
-  this->Boxes.resize(static_cast<std::size_t>(clusters));
-  ForClusters(clusters, [&](int cluster) { this->FindBox(mesh, cluster); });
-  this->ListPointBlocks(mesh);
-  this->SeenPoints.assign((static_cast<std::size_t>(mesh.GetNumberOfPoints()) >> PointShift) + 1, 0);
-  this->Seen.clear();
+  const int cells = mesh.GetNumberOfCells();
+  const auto begins =
+    BeginsOf(cells, [](int cell) { return 4 * static_cast<std::size_t>(cell); });
+  this->Build(mesh.Points, mesh.Corners, begins, cells);
   this->CountDrawn(mesh);
 }
 
 //------------------------------------------------------------------------------
-void TileClusters::FindBox(const TileMesh& mesh, int cluster)
+void TileClusters::Build(const ConvexTileMesh& mesh)
 {
-  Box& box = this->Boxes[cluster];
+  auto beginsIn = [&](const ConvexCellFaces::Rows& rows)
+  {
+    return BeginsOf(mesh.GetNumberOfCells(),
+      [&rows](int cell) { return static_cast<std::size_t>(rows.Offsets[cell]); });
+  };
+  this->Build(
+    mesh.Points, mesh.Corners.Values, beginsIn(mesh.Corners), mesh.GetNumberOfCells());
+  this->Faces.Build(mesh.Faces.Values, beginsIn(mesh.Faces),
+    static_cast<std::size_t>(mesh.GetNumberOfFaces()));
+  this->CountDrawn(mesh);
+}
+
+//------------------------------------------------------------------------------
+void TileClusters::Build(const std::vector<float>& points, const std::vector<int>& corners,
+  const std::vector<std::size_t>& begins, int cells)
+{
+  this->NumberOfCells = cells;
+  this->Boxes.resize(begins.size() - 1);
+  ForClusters(static_cast<int>(this->Boxes.size()),
+    [&](int cluster)
+    {
+      this->Boxes[cluster] =
+        FindBox(points, corners.data() + begins[cluster], corners.data() + begins[cluster + 1]);
+    });
+  this->Points.Build(corners, begins, points.size() / 4);
+  this->Seen.clear();
+}
+
+//------------------------------------------------------------------------------
+TileClusters::Box TileClusters::FindBox(
+  const std::vector<float>& points, const int* begin, const int* end)
+{
+  Box box;
   std::fill_n(box.Low, 3, std::numeric_limits<float>::max());
   std::fill_n(box.High, 3, std::numeric_limits<float>::lowest());
-  const std::size_t first = 4 * static_cast<std::size_t>(cluster) << Shift;
-  const std::size_t last = std::min(first + 4 * static_cast<std::size_t>(Size), mesh.Corners.size());
-  for (std::size_t at = first; at < last; ++at)
+  for (const int* corner = begin; corner < end; ++corner)
   {
-    const float* point = &mesh.Points[4 * static_cast<std::size_t>(mesh.Corners[at])];
+    const float* point = &points[4 * static_cast<std::size_t>(*corner)];
     for (int k = 0; k < 3; ++k)
     {
       box.Low[k] = std::min(box.Low[k], point[k]);
       box.High[k] = std::max(box.High[k], point[k]);
     }
   }
-}
-
-//------------------------------------------------------------------------------
-void TileClusters::ListPointBlocks(const TileMesh& mesh)
-{
-  std::vector<int> lastUse((static_cast<std::size_t>(mesh.GetNumberOfPoints()) >> PointShift) + 1, -1);
-  this->Blocks.clear();
-  this->BlocksBegin.assign(1, 0);
-  for (int cluster = 0; cluster < NumberOfClusters(mesh); ++cluster)
-  {
-    const std::size_t first = 4 * static_cast<std::size_t>(cluster) << Shift;
-    const std::size_t last =
-      std::min(first + 4 * static_cast<std::size_t>(Size), mesh.Corners.size());
-    for (std::size_t at = first; at < last; ++at)
-    {
-      const int block = mesh.Corners[at] >> PointShift;
-      if (lastUse[block] != cluster)
-      {
-        lastUse[block] = cluster;
-        this->Blocks.push_back(block);
-      }
-    }
-    this->BlocksBegin.push_back(static_cast<int>(this->Blocks.size()));
-  }
-  this->Blocks.shrink_to_fit();
+  return box;
 }
 
 //------------------------------------------------------------------------------
 void TileClusters::CountDrawn(const TileMesh& mesh)
 {
+  this->CountDrawn(mesh.Drawn, mesh.IsSparse);
+}
+
+//------------------------------------------------------------------------------
+void TileClusters::CountDrawn(const ConvexTileMesh& mesh)
+{
+  this->CountDrawn(mesh.Drawn, true);
+}
+
+//------------------------------------------------------------------------------
+void TileClusters::CountDrawn(const std::vector<unsigned char>& drawn, bool skipsEmpty)
+{
   this->NumbersDrawn.assign(this->Boxes.size(), 0);
-  this->SkipsEmpty = mesh.IsSparse;
-  for (std::size_t cell = 0; cell < mesh.Drawn.size(); ++cell)
+  this->SkipsEmpty = skipsEmpty;
+  for (std::size_t cell = 0; cell < drawn.size(); ++cell)
   {
     this->NumbersDrawn[cell >> Shift] =
-      static_cast<unsigned char>(this->NumbersDrawn[cell >> Shift] + mesh.Drawn[cell]);
+      static_cast<unsigned char>(this->NumbersDrawn[cell >> Shift] + drawn[cell]);
   }
 }
 
@@ -137,28 +162,27 @@ bool TileClusters::FindSeen(
       const bool isSeen = !isEmpty && IsWithin(box, this->Planes) && (!limits || IsBefore(box, view, *limits));
       this->Seen[cluster] = isSeen ? 1 : 0;
     });
-  const bool isNew = this->Seen != this->SeenBefore;
-  if (isNew)
-  {
-    this->MarkPoints();
-  }
-  return isNew;
+  return this->TakeSeen();
 }
 
 //------------------------------------------------------------------------------
-void TileClusters::MarkPoints()
+bool TileClusters::SeeAll()
 {
-  std::fill(this->SeenPoints.begin(), this->SeenPoints.end(), static_cast<unsigned char>(0));
-  for (std::size_t cluster = 0; cluster < this->Seen.size(); ++cluster)
+  this->SeenBefore.swap(this->Seen);
+  this->Seen.assign(this->Boxes.size(), 1);
+  return this->TakeSeen();
+}
+
+//------------------------------------------------------------------------------
+bool TileClusters::TakeSeen()
+{
+  const bool isNew = this->Seen != this->SeenBefore;
+  if (isNew)
   {
-    if (this->Seen[cluster])
-    {
-      for (int at = this->BlocksBegin[cluster]; at < this->BlocksBegin[cluster + 1]; ++at)
-      {
-        this->SeenPoints[this->Blocks[at]] = 1;
-      }
-    }
+    this->Points.MarkSeen(this->Seen);
+    this->Faces.MarkSeen(this->Seen);
   }
+  return isNew;
 }
 
 //------------------------------------------------------------------------------
@@ -216,14 +240,13 @@ long long TileClusters::CountCellsOutside() const
 }
 
 //------------------------------------------------------------------------------
-long long TileClusters::CountCellsSeen(const TileMesh& mesh) const
+long long TileClusters::CountCellsSeen() const
 {
-  const long long cells = mesh.GetNumberOfCells();
   long long count = 0;
   for (std::size_t cluster = 0; cluster < this->Seen.size(); ++cluster)
   {
     const auto first = static_cast<long long>(cluster) << Shift;
-    count += this->Seen[cluster] ? std::min<long long>(Size, cells - first) : 0;
+    count += this->Seen[cluster] ? std::min<long long>(Size, this->NumberOfCells - first) : 0;
   }
   return count;
 }
@@ -231,6 +254,6 @@ long long TileClusters::CountCellsSeen(const TileMesh& mesh) const
 //------------------------------------------------------------------------------
 std::size_t TileClusters::GetMemorySize() const
 {
-  return sizeof(Box) * this->Boxes.size() + 4 * (this->BlocksBegin.size() + this->Blocks.size()) +
-         3 * this->Seen.size() + this->SeenPoints.size();
+  return sizeof(Box) * this->Boxes.size() + this->Points.GetMemorySize() +
+         this->Faces.GetMemorySize() + 3 * this->Seen.size();
 }

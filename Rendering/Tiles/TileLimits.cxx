@@ -5,7 +5,14 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+
+namespace
+{
+// Share of u by which rounding may move the end of a piece within its cell.
+constexpr double RoundingOfU = 1e-6;
+}
 
 //------------------------------------------------------------------------------
 bool TileLimits::Build(
@@ -110,4 +117,59 @@ bool TileLimits::IsBeforeAny(
     }
   }
   return false;
+}
+
+//------------------------------------------------------------------------------
+void TileLimits::FindBlocks(const TileView& view)
+{
+  constexpr int Size = 1 << BlockShift;
+  const int rows = (view.Height + Size - 1) >> BlockShift;
+  this->BlocksInRow = (view.Width + Size - 1) >> BlockShift;
+  this->Rounding = static_cast<float>(RoundingOfU * view.WeightOffset);
+  this->Blocks.resize(static_cast<std::size_t>(rows) * this->BlocksInRow);
+  vtkSMPTools::For(0, rows,
+    [&](vtkIdType begin, vtkIdType end)
+    {
+      for (auto y = static_cast<int>(begin); y < end; ++y)
+      {
+        this->FindBlockRow(view, y);
+      }
+    });
+}
+
+//------------------------------------------------------------------------------
+void TileLimits::FindBlockRow(const TileView& view, int y)
+{
+  Block* blocks = &this->Blocks[static_cast<std::size_t>(y) * this->BlocksInRow];
+  std::fill_n(blocks, this->BlocksInRow, Block{ -3e38f, 3e38f });
+  for (int row = y << BlockShift; row < std::min((y + 1) << BlockShift, view.Height); ++row)
+  {
+    const std::size_t begin = static_cast<std::size_t>(row) * view.Width;
+    for (int x = 0; x < view.Width; ++x)
+    {
+      Block& block = blocks[x >> BlockShift];
+      block.Near = std::max(block.Near, this->Near[begin + x]);
+      block.Far = std::min(block.Far, this->Far[begin + x]);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+bool TileLimits::CutsOff(
+  const int (&first)[2], const int (&last)[2], float farthest, float nearest) const
+{
+  nearest += this->Rounding + static_cast<float>(RoundingOfU) * std::abs(nearest);
+  farthest -= this->Rounding + static_cast<float>(RoundingOfU) * std::abs(farthest);
+  for (int y = first[1] >> BlockShift; y <= last[1] >> BlockShift; ++y)
+  {
+    const Block* blocks = &this->Blocks[static_cast<std::size_t>(y) * this->BlocksInRow];
+    const bool isCut = std::all_of(blocks + (first[0] >> BlockShift),
+      blocks + (last[0] >> BlockShift) + 1,
+      [&](const Block& block) { return nearest < block.Far || farthest > block.Near; });
+    if (!isCut)
+    {
+      return false;
+    }
+  }
+  return true;
 }

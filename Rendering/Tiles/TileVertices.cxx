@@ -1,6 +1,6 @@
 #include "TileVertices.h"
 
-#include "TileClusters.h"
+#include "TileClusterBlocks.h"
 #include "TileView.h"
 #include "vtkSMPTools.h"
 
@@ -32,17 +32,17 @@ void TransformPoint(const TileView& view, const float* point, float* out)
 
 //------------------------------------------------------------------------------
 void TileVertices::Transform(
-  const std::vector<float>& points, const TileView& view, const TileClusters* clusters)
+  const std::vector<float>& points, const TileView& view, const TileClusterBlocks* blocks)
 {
   this->Values.resize(points.size());
   const std::size_t count = points.size() / 4;
-  constexpr std::size_t Block = static_cast<std::size_t>(1) << TileClusters::PointShift;
+  constexpr std::size_t Block = TileClusterBlocks::Size;
   vtkSMPTools::For(0, static_cast<vtkIdType>((count + Block - 1) / Block),
     [&](vtkIdType begin, vtkIdType end)
     {
       for (auto block = static_cast<std::size_t>(begin); block < static_cast<std::size_t>(end); ++block)
       {
-        if (clusters && !clusters->IsPointBlockSeen(block))
+        if (blocks && !blocks->IsSeen(block))
         {
           continue;
         }

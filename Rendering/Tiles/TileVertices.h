@@ -10,16 +10,16 @@
 
 #include <vector>
 
-class TileClusters;
+class TileClusterBlocks;
 class TileView;
 
 class TileVertices
 {
 public:
-  /** `points`: x, y, z, scalar. Those in blocks that no seen cluster has are left as they are; null:
-   *  all are seen. */
+  /** `points`: x, y, z, scalar. Those in `blocks` that are not seen are left as they are; null: all
+   *  are seen. */
   void Transform(const std::vector<float>& points, const TileView& view,
-    const TileClusters* clusters = nullptr);
+    const TileClusterBlocks* blocks = nullptr);
   /** New scalars, the same view. */
   void CopyScalars(const std::vector<float>& points);
 

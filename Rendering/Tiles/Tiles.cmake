@@ -15,6 +15,7 @@ list(APPEND sources
   Rendering/Tiles/TileBins.cxx
   Rendering/Tiles/TileCellFields.cxx
   Rendering/Tiles/TileCells.cxx
+  Rendering/Tiles/TileClusterBlocks.cxx
   Rendering/Tiles/TileClusters.cxx
   Rendering/Tiles/TileEntries.cxx
   Rendering/Tiles/TileExactCell.cxx
@@ -60,6 +61,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCells.h
   Rendering/Tiles/TileClipping-inl.h
   Rendering/Tiles/TileClock.h
+  Rendering/Tiles/TileClusterBlocks.h
   Rendering/Tiles/TileClusters.h
   Rendering/Tiles/TileColors-inl.h
   Rendering/Tiles/TileCompositing-inl.h

@@ -138,7 +138,7 @@ void TilesEngine::Transform()
 {
   if (!this->IsTransformed)
   {
-    this->Vertices.Transform(this->Mesh.Points, this->View, &this->Clusters);
+    this->Vertices.Transform(this->Mesh.Points, this->View, &this->Clusters.GetPoints());
     this->Clock.Lap(TileStages::Transform);
     this->Cells.Project(this->Mesh, this->View, this->Vertices, this->Clusters);
     this->Clock.Lap(TileStages::Box);

@@ -88,7 +88,7 @@ public:
   /** Cells worth drawing that the last frame did not look at, see class TileClusters. */
   long long CountCellsOutside() const { return this->Clusters.CountCellsOutside(); }
   /** Cells whose places on the screen the last frame had, and how many times they are in tiles. */
-  long long CountCellsSeen() const { return this->Clusters.CountCellsSeen(this->Mesh); }
+  long long CountCellsSeen() const { return this->Clusters.CountCellsSeen(); }
   long long CountCellsInTiles() const { return this->Bins.GetNumberOfEntries(); }
   /** Bytes that last from frame to frame, and what a frame of this mesh needs beside them; what goes
    *  with pixels and threads alone is not counted. */

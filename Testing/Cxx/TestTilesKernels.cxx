@@ -4,7 +4,7 @@
 
 #include "EmissionTilesEngine.h"
 #include "ExtremumTilesEngine.h"
-#include "MeshLattice.h"
+#include "HexahedraArrays.h"
 #include "TestScene.h"
 #include "TileArrays.h"
 
@@ -113,38 +113,6 @@ void CheckAbort(TestChecks& checks)
   CHECK(arrays.Engine.GetImage() == image);
 }
 
-/// Hexahedra as the mappers prepare them.
-struct Hexahedra
-{
-  explicit Hexahedra(int n)
-    : Grid(MeshLattice(n, n, n).Make())
-  {
-    for (vtkIdType id = 0; id < this->Grid->GetNumberOfPoints(); ++id)
-    {
-      double point[3];
-      this->Grid->GetPoint(id, point);
-      for (double& x : point)
-      {
-        this->Points.push_back(static_cast<float>(2.0 * x / n - 1.0));
-      }
-      this->Points.push_back(0.0f);
-      this->Scalars.push_back(static_cast<float>((point[0] + point[1] * point[2] / n) / (2.0 * n)));
-    }
-    this->Cells.Build(this->Grid);
-    this->Pieces.Build(this->Points, this->Cells.Loops);
-    this->Planes.Build(this->Points, this->Cells, this->Pieces);
-    this->Drawn.resize(static_cast<std::size_t>(this->Cells.GetNumberOfCells()));
-    std::iota(this->Drawn.begin(), this->Drawn.end(), 0u);
-  }
-
-  MeshLattice::Grid Grid;
-  std::vector<float> Points, Scalars;
-  std::vector<unsigned int> Drawn;
-  ConvexCellFaces Cells;
-  FacePieces Pieces;
-  CellPlanes Planes;
-};
-
 template <class Engine>
 void CheckConvexCells(TestChecks& checks, Engine& engine)
 {
@@ -189,7 +157,7 @@ int TestTilesKernels(int, char*[])
   TestChecks checks;
   CheckTetrahedra(checks);
   CheckAbort(checks);
-  const Hexahedra mesh(6);
+  const HexahedraArrays mesh(6);
   EmissionTilesEngine emission;
   emission.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
   emission.SetScalars(mesh.Scalars, false);
