@@ -9,6 +9,12 @@
 
 #include <algorithm>
 
+namespace
+{
+// Cells that stay together: what they read lies one after the other.
+constexpr int Run = 16;
+}
+
 //------------------------------------------------------------------------------
 void ConvexTileMesh::Build(const std::vector<float>& points, const ConvexCellFaces& cells,
   const FacePieces& pieces, const CellPlanes& planes)
@@ -28,23 +34,33 @@ void ConvexTileMesh::Build(const std::vector<float>& points, const ConvexCellFac
 //------------------------------------------------------------------------------
 void ConvexTileMesh::OrderCells(const ConvexCellFaces::Rows& corners)
 {
+  const int cells = corners.GetNumberOfRows();
   std::vector<double> middles;
   vtkBoundingBox box;
-  for (int cell = 0; cell < corners.GetNumberOfRows(); ++cell)
+  for (int first = 0; first < cells; first += Run)
   {
+    const int begin = corners.Offsets[first];
+    const int end = corners.Offsets[std::min(first + Run, cells)];
     double middle[3] = { 0.0, 0.0, 0.0 };
-    for (int i = 0; i < corners.GetSize(cell); ++i)
+    for (int at = begin; at < end; ++at)
     {
-      const float* point = &this->Points[4 * static_cast<std::size_t>(corners.GetRow(cell)[i])];
+      const float* point = &this->Points[4 * static_cast<std::size_t>(corners.Values[at])];
       for (int k = 0; k < 3; ++k)
       {
-        middle[k] += static_cast<double>(point[k]) / corners.GetSize(cell);
+        middle[k] += static_cast<double>(point[k]) / (end - begin);
       }
     }
     middles.insert(middles.end(), middle, middle + 3);
     box.AddPoint(middle);
   }
-  this->Source = middles.empty() ? std::vector<int>() : MortonOrder::Find(middles, box);
+  this->Source.clear();
+  for (const int run : middles.empty() ? std::vector<int>() : MortonOrder::Find(middles, box))
+  {
+    for (int cell = Run * run; cell < std::min(Run * (run + 1), cells); ++cell)
+    {
+      this->Source.push_back(cell);
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -2,8 +2,8 @@
  * Convex cells as the tiles read them: faces as triangles, shared faces once.
  *
  * A scalar is linear on each triangle of a face and along a ray between the faces where it enters
- * and leaves a cell. Cells follow each other along a curve (class MortonOrder); faces and points keep
- * the numbers that they were given.
+ * and leaves a cell. Short runs of cells follow each other along a curve (MortonOrder); faces and points
+ * keep the numbers that they were given.
  */
 #ifndef ConvexTileMesh_h
 #define ConvexTileMesh_h
