@@ -43,11 +43,11 @@ const std::vector<View>& Views()
 {
   const glm::dvec3 eye(0.9, 1.5, 3.5);
   static const std::vector<View> views = { { "whole", eye, 35.0, {}, 0.0, false, 0.0, false },
-    { "zoomed in", eye, 12.0, {}, 0.0, false, 0.4, false },
+    { "zoomed in", eye, 12.0, {}, 0.0, false, 0.2, false },
     { "from inside", { 0.1, 0.05, 0.02 }, 60.0, {}, 0.0, false, 0.7, false },
-    { "clipping plane", eye, 35.0, { { 0.3f, 0.9f, 0.1f, 0.1f } }, 0.0, false, 0.45, true },
+    { "clipping plane", eye, 35.0, { { 0.3f, 0.9f, 0.1f, 0.1f } }, 0.0, false, 0.4, true },
     { "opaque", eye, 35.0, {}, 3.5, false, 0.5, true },
-    { "opaque on a half", eye, 35.0, {}, 3.5, true, 0.1, true } };
+    { "opaque on a half", eye, 35.0, {}, 3.5, true, 0.08, true } };
   return views;
 }
 
