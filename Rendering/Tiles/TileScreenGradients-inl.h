@@ -15,6 +15,7 @@
 #include "TileLighting.h"
 #include "TilePieces-inl.h"
 #include "TileTask.h"
+#include "TileView.h"
 
 #include <hwy/highway.h>
 
@@ -30,11 +31,13 @@ namespace hn = hwy::HWY_NAMESPACE;
 class ScreenGradients
 {
 public:
-  ScreenGradients(
-    const TileCellFields& fields, const TileLighting& lighting, const TileRectangle& tile)
+  ScreenGradients(const TileCellFields& fields, const TileLighting& lighting, const TileView& view,
+    const TileRectangle& tile)
     : Fields(fields)
   {
-    const glm::dmat4& columns = lighting.ScreenToMesh;
+    // Over the weights of the mesh's middle: the fourth power of a gradient must not leave the range of a float,
+    // however small or large the world is.
+    const glm::dmat4 columns = lighting.ScreenToMesh * (1.0 / (view.WeightOffset * view.WeightOffset));
     const glm::dvec4 corner =
       columns[3] + double(tile.Left) * columns[0] + double(tile.Bottom) * columns[1];
     for (int i = 0; i < 4; ++i)

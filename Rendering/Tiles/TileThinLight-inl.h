@@ -63,7 +63,7 @@ public:
   ThinLight(const TileTask& task, const TileRectangle& tile)
     : Transfer(*task.Transfer)
     , Lighting(*task.Lighting)
-    , Gradients(*task.Gradients, *task.Lighting, tile)
+    , Gradients(*task.Gradients, *task.Lighting, *task.View, tile)
     , WeightScale(static_cast<float>(task.View->WeightScale))
     , WeightOffset(static_cast<float>(task.View->WeightOffset))
     , SquaredTurn(task.Lighting->GreatestTurn * task.Lighting->GreatestTurn)
@@ -178,7 +178,8 @@ private:
     const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(deep));
     const auto turn = hn::Mul(hn::MulAdd(crossed, hn::Set(d, 4.0f), hn::Set(d, 1e-30f)), root);
     const auto room = hn::Mul(hn::Mul(ahead, ahead), hn::Set(d, this->SquaredTurn));
-    auto smooth = hn::And(hn::Le(turn, room), hn::Lt(hn::Zero(d), ahead));
+    // Less, not at most: near the eye both may be infinite.
+    auto smooth = hn::And(hn::Lt(turn, room), hn::Lt(hn::Zero(d), ahead));
     const auto least = hn::Mul(g.MiddleSquare, hn::Set(d, 0.25f * LeastKink * LeastKink));
     for (const TileLight& light : this->Lighting.Lights)
     {

@@ -17,6 +17,8 @@
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
+#include <cmath>
+
 namespace
 {
 class BothEngines : public TestScene
@@ -201,6 +203,26 @@ void CheckThin(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+// The same picture in any unit of length: the same fragments are lit in the shorter way.
+void CheckThinUnits(TestChecks& checks)
+{
+  ThinScene scene(TestMeshes::Delaunay(700));
+  vtkSmartPointer<vtkImageData> whole;
+  for (const int power : { 0, -33, -20, -10, 10, 20 })
+  {
+    const double unit = std::ldexp(1.0, power);
+    scene.Volume->SetScale(unit);
+    scene.Property->SetScalarOpacityUnitDistance(unit);
+    scene.Renderer->GetActiveCamera()->SetPosition(0.5 * unit, 0.8 * unit, 2.2 * unit);
+    scene.Renderer->GetActiveCamera()->SetClippingRange(0.1 * unit, 20.0 * unit);
+    scene.CheckAgain(checks, "thin, in another unit");
+    whole = power == 0 ? scene.CopyCaptured() : whole;
+    const double difference = TestScene::Difference(whole, scene.Mapper->GetCapturedImage());
+    std::cout << "from 1 to 2 to the power of " << power << ": " << difference << "\n";
+    CHECK(difference >= 0.0 && difference <= 1e-6);
+  }
+}
+
 // A camera along z that undoes the stretching of the volume: angles are kept on the way to the eye,
 // lengths in the world are not.
 void CheckStretched(TestChecks& checks)
@@ -256,5 +278,6 @@ int TestTilesLight(int, char*[])
   CheckTargets(checks);
   CheckStretched(checks);
   CheckThin(checks);
+  CheckThinUnits(checks);
   return checks.Result();
 }
