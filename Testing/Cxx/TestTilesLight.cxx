@@ -130,8 +130,7 @@ void CheckTargets(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
-// Thin fragments under directional light are lit in a shorter way, unless there is another light: a
-// black one changes nothing else.
+// Thin fragments are lit in a shorter way where light is grey: a millionth of blue changes nothing else.
 class ThinScene : public BothEngines
 {
 public:
@@ -140,7 +139,7 @@ public:
     TestMeshes::SetField(grid, TestMeshes::Waves);
     this->SetGrid(grid);
     this->SetSmooth();
-    this->Lamp->SetIntensity(0.0);
+    this->Lamp->SwitchOff();
     this->Head->SetLightTypeToHeadlight();
     this->Side->SetLightTypeToSceneLight();
     this->Side->SetPosition(-1.0, 0.7, 0.3);
@@ -152,7 +151,7 @@ public:
   // By the oracle's image as it is.
   double DrawError(bool shortWay)
   {
-    shortWay ? this->Lamp->SwitchOff() : this->Lamp->SwitchOn();
+    this->Head->SetColor(1.0, 1.0, shortWay ? 1.0 : 1.0 + 1e-6);
     this->DrawTiles();
     this->Oracle->Compare(this->Mapper->GetCapturedImage());
     return this->Oracle->GetRootMeanSquareError();
@@ -166,8 +165,8 @@ public:
     std::cout << name << ": " << shortError << ", by parts " << error << "\n";
     checks.Check(shortError <= 1.1 * error, name, __LINE__, std::to_string(shortError));
     CHECK_AT_MOST(this->Oracle->GetMaximumError(), 1e-3);
-    // The same bytes: it is never taken.
-    CHECK(Difference(parts, this->Mapper->GetCapturedImage()) > 0.0);
+    // It is taken: by rounding alone and by that blue they differ less.
+    CHECK(Difference(parts, this->Mapper->GetCapturedImage()) > 1e-6);
   }
 
   void CheckAgain(TestChecks& checks, const char* name)
