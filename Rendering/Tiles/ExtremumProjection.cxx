@@ -75,7 +75,35 @@ struct ExtremumTile
     }
     q.Count = 0;
   }
+
+  void CopyTo(const TileRectangle& tile, int width, float* extrema) const
+  {
+    for (int y = tile.FirstY; y <= tile.LastY; ++y)
+    {
+      std::copy_n(this->Values + (y - tile.Bottom) * TileSize::Pixels, tile.LastX - tile.Left + 1,
+        extrema + static_cast<std::size_t>(y) * width + tile.Left);
+    }
+  }
 };
+
+/// One cell, whose scalars are at most `greatest`.
+inline void TakeCell(const ConvexTileTask& task, const TileRectangle& tile, int cell, float greatest,
+  const BlockShapes& shapes, TileScratch& scratch, ExtremumTile& values)
+{
+  TileFragments& q = scratch.Fragments;
+  auto flush = [&]
+  {
+    scratch.Counts.Fragments += q.Count;
+    if (task.Common.Limits)
+    {
+      ClipFragments(task.Common, tile, q);
+    }
+    values.Take(*task.Common.View, greatest, q);
+  };
+  CoverAnyConvexCell(task, tile, cell, shapes, scratch.ExactCell, q, flush);
+  flush();
+  ++scratch.Counts.Cells;
+}
 
 // NOLINTNEXTLINE: Highway's dispatch table names it.
 void DrawExtrema(const ConvexTileTask& task, const TileRectangle& tile, const int* cells, int count,
@@ -85,10 +113,8 @@ void DrawExtrema(const ConvexTileTask& task, const TileRectangle& tile, const in
   // Cells in vain after which all of the tile is looked at.
   constexpr int Worthwhile = 32;
   ExtremumTile values;
-  const CellBox whole(tile);
   int inVain = 0;
-  TileFragments& q = scratch.Fragments;
-  q.Count = 0;
+  scratch.Fragments.Count = 0;
   for (int i = 0; i < count; ++i)
   {
     const int cell = cells[i];
@@ -96,36 +122,22 @@ void DrawExtrema(const ConvexTileTask& task, const TileRectangle& tile, const in
     if (values.HasAtLeast(greatest[cell], box, tile))
     {
       ++inVain;
-      if (inVain % Worthwhile == 0 && values.HasAtLeast(greatest[cell], whole, tile))
+      if (inVain % Worthwhile == 0 && values.HasAtLeast(greatest[cell], CellBox(tile), tile))
       {
         // Those that follow hold nothing greater.
         break;
       }
-      continue;
     }
-    if (IsCutOff(task, cell, box))
+    else if (IsCutOff(task, cell, box))
     {
       ++scratch.Counts.HiddenCells;
-      continue;
     }
-    auto flush = [&]
+    else
     {
-      scratch.Counts.Fragments += q.Count;
-      if (task.Common.Limits)
-      {
-        ClipFragments(task.Common, tile, q);
-      }
-      values.Take(*task.Common.View, greatest[cell], q);
-    };
-    CoverAnyConvexCell(task, tile, cell, shapes, scratch.ExactCell, q, flush);
-    flush();
-    ++scratch.Counts.Cells;
+      TakeCell(task, tile, cell, greatest[cell], shapes, scratch, values);
+    }
   }
-  for (int y = tile.FirstY; y <= tile.LastY; ++y)
-  {
-    std::copy_n(values.Values + (y - tile.Bottom) * TileSize::Pixels, tile.LastX - tile.Left + 1,
-      extrema + static_cast<std::size_t>(y) * task.Common.View->Width + tile.Left);
-  }
+  values.CopyTo(tile, task.Common.View->Width, extrema);
 }
 }
 }

@@ -181,7 +181,6 @@ public:
   bool HasPosition() const { return this->WithPosition; }
 
 private:
-
   HWY_INLINE void BeginLight(
     const TileLight& light, const LitPieces& p, const LitCourse& c, LitSide& s) const
   {

@@ -196,15 +196,23 @@ private:
     return light.IsAlongView ? gradient[2] : Dot(gradient, light.Towards);
   }
 
+  /// Twice 1 / the length of the gradient at both nodes.
+  static HWY_INLINE void InvertLengths(const ThinGradients& g, ShadeVector (&inverse)[2])
+  {
+    const ShadeFloat d;
+    const auto squares = hn::MulAdd(g.HalfSquare, hn::Set(d, Apart * Apart), g.MiddleSquare);
+    const auto product = hn::Mul(g.Product, hn::Set(d, 2.0f * Apart));
+    inverse[0] = TwiceInverseRoot(d, hn::Sub(squares, product));
+    inverse[1] = TwiceInverseRoot(d, hn::Add(squares, product));
+  }
+
   /// Light at both nodes; roots are taken twice as great, see TwiceInverseRoot.
   HWY_INLINE void Shine(const ThinCourse& c, const ThinGradients& g, ThinShine& shine) const
   {
     const ShadeFloat d;
     const auto apart = hn::Set(d, Apart);
-    const auto squares = hn::MulAdd(g.HalfSquare, hn::Set(d, Apart * Apart), g.MiddleSquare);
-    const auto product = hn::Mul(g.Product, hn::Set(d, 2.0f * Apart));
-    const ShadeVector inverse[2] = { TwiceInverseRoot(d, hn::Sub(squares, product)),
-      TwiceInverseRoot(d, hn::Add(squares, product)) };
+    ShadeVector inverse[2];
+    InvertLengths(g, inverse);
     const auto seenMiddle = this->TowardsEye(c, g.Middle);
     const auto seenHalf = hn::Mul(this->TowardsEye(c, g.Half), apart);
     const ShadeVector seen[2] = { hn::Mul(hn::Sub(seenMiddle, seenHalf), inverse[0]),
