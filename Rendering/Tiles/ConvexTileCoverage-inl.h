@@ -13,8 +13,8 @@
 #endif
 
 #include "ConvexTileCells.h"
+#include "ConvexTileEnds-inl.h"
 #include "ConvexTileExactCell.h"
-#include "ConvexTileFaces.h"
 #include "ConvexTileLanes-inl.h"
 #include "ConvexTileMesh.h"
 #include "ConvexTileRays.h"
@@ -33,27 +33,6 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// The part of a cell's box that lies in a tile, in pixels of the viewport.
-struct CellBox
-{
-  int FirstX, FirstY, LastX, LastY;
-
-  CellBox(const std::array<short, 4>& box, const TileRectangle& tile)
-    : FirstX(std::max<int>(box[0], tile.FirstX))
-    , FirstY(std::max<int>(box[1], tile.FirstY))
-    , LastX(std::min<int>(box[2], tile.LastX))
-    , LastY(std::min<int>(box[3], tile.LastY))
-  {
-  }
-  explicit CellBox(const TileRectangle& tile)
-    : FirstX(tile.FirstX)
-    , FirstY(tile.FirstY)
-    , LastX(tile.LastX)
-    , LastY(tile.LastY)
-  {
-  }
-};
-
 /// Whether opaque geometry and clipping planes leave nothing of a cell in a box.
 inline bool IsCutOff(const ConvexTileTask& task, int cell, const CellBox& box)
 {
@@ -63,196 +42,143 @@ inline bool IsCutOff(const ConvexTileTask& task, int cell, const CellBox& box)
          task.Common.Limits->CutsOff(first, last, depths.Farthest, depths.Nearest);
 }
 
-/// A face over a box: u, s and g are P + A x + B y, x and y from the box's corner.
-struct CellFace
+/// A cell that floats serve, over the pixels of its box.
+struct CellBlocks
 {
-  float UP, UA, UB, UFold;
-  float SP, SA, SB, SFold;
-  float GP, GA, GB;
+  const CellFaces Faces;
+  const BlockShapes::Shape& Shape;
+  const int Width, Height;
+  /// The pixel of the tile's where the box begins.
+  const int Corner;
+  const bool HasCellScalar;
+  float ScalarScale = 0.0f, ScalarOffset = 0.0f;
 
-  CellFace() = default;
-  CellFace(const ConvexTileFace& f, const CellBox& box)
-    : UA(f.UA)
-    , UB(f.UB)
-    , UFold(f.CU)
-    , SA(f.SA)
-    , SB(f.SB)
-    , SFold(f.CS)
-    , GA(f.GX)
-    , GB(f.GY)
+  CellBlocks(const ConvexTileTask& task, const TileRectangle& tile, int cell, const CellBox& box,
+    const BlockShapes& shapes)
+    : Faces(task, cell, box)
+    , Shape(shapes.Choose(box.GetWidth(), box.GetHeight()))
+    , Width(box.GetWidth())
+    , Height(box.GetHeight())
+    , Corner((box.FirstY - tile.Bottom) * TileSize::Pixels + box.FirstX - tile.Left)
+    , HasCellScalar(!task.Mesh->CellScalars.empty())
   {
-    const float dx = static_cast<float>(box.FirstX) - f.X;
-    const float dy = static_cast<float>(box.FirstY) - f.Y;
-    this->UP = f.U + f.UA * dx + f.UB * dy;
-    this->SP = f.S + f.SA * dx + f.SB * dy;
-    this->GP = f.GX * dx + f.GY * dy;
-  }
-
-  /// One triangle of a mixed face alone.
-  CellFace Triangle(bool other) const
-  {
-    CellFace alone = *this;
-    alone.UFold = alone.SFold = 0.0f;
-    if (other)
+    if (this->HasCellScalar)
     {
-      alone.UP += this->UFold * this->GP;
-      alone.UA += this->UFold * this->GA;
-      alone.UB += this->UFold * this->GB;
-      alone.SP += this->SFold * this->GP;
-      alone.SA += this->SFold * this->GA;
-      alone.SB += this->SFold * this->GB;
-    }
-    return alone;
-  }
-};
-
-/// The faces of a cell, those where rays enter first. Of a mixed face, which rays enter through one
-/// triangle and leave through the other, both are planes of their own; where their edge is a valley
-/// of the cell they are a pair: inside either is inside.
-struct CellFaces
-{
-  static constexpr int Most = 32;
-  CellFace Faces[2 * Most];
-  CellFace Valleys[Most][2];
-  int Entries = 0, Count = 0, Pairs = 0;
-
-  CellFaces(const ConvexTileTask& task, int cell, const CellBox& box)
-  {
-    const ConvexCellFaces::Rows& rows = task.Mesh->Faces;
-    for (const bool wantsEntry : { true, false })
-    {
-      for (int at = rows.Offsets[cell]; at < rows.Offsets[cell + 1]; ++at)
-      {
-        const ConvexTileFace& face = task.Faces->Values[rows.Values[at]];
-        // Turned to the eye and out of the cell: rays enter.
-        const bool isTurned = (face.Side > 0.0f) == task.Common.View->KeepsOrientation;
-        const bool isEntry = isTurned == (task.Mesh->Sides[at] < 0);
-        if (face.IsMixed != 0.0f)
-        {
-          this->AddMixed(task, at, CellFace(face, box), isEntry, wantsEntry);
-        }
-        else if (isEntry == wantsEntry)
-        {
-          this->Faces[this->Count++] = CellFace(face, box);
-        }
-      }
-      this->Entries = wantsEntry ? this->Count : this->Entries;
+      const float scalar = task.Mesh->CellScalars[cell];
+      this->ScalarScale = scalar * static_cast<float>(task.Common.View->WeightScale);
+      this->ScalarOffset = scalar * static_cast<float>(task.Common.View->WeightOffset);
     }
   }
 
-private:
-  void AddMixed(
-    const ConvexTileTask& task, int at, const CellFace& face, bool isEntry, bool wantsEntry)
+  /// Where the rays at x, y from the box's corner enter and leave.
+  template <bool WithScalars>
+  HWY_INLINE void FindEnds(CoverVector x, CoverVector y, BlockEnd& entry, BlockEnd& exit) const
   {
-    const int id = task.Mesh->Faces.Values[at];
-    const bool isValley = task.Mesh->Pieces->Planes[id].IsRaised != (task.Mesh->Sides[at] > 0);
-    if (!isValley)
+    const CellFaces& f = this->Faces;
+    for (int i = 0; i < f.Entries; ++i)
     {
-      this->Faces[this->Count++] = face.Triangle(isEntry != wantsEntry);
+      entry.Add<true, WithScalars>(f.Faces[i], x, y, i == 0);
     }
-    else if (wantsEntry)
+    for (int i = f.Entries; i < f.Count; ++i)
     {
-      this->Valleys[this->Pairs][0] = face.Triangle(!isEntry);
-      this->Valleys[this->Pairs][1] = face.Triangle(isEntry);
-      ++this->Pairs;
+      exit.Add<false, WithScalars>(f.Faces[i], x, y, i == f.Entries);
+    }
+    // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
+    for (int i = 0; i < 2 * f.Pairs; ++i)
+    {
+      CutAtValley(f.Valleys[i % f.Pairs], x, y, entry, exit);
+    }
+    if (WithScalars && this->HasCellScalar)
+    {
+      const CoverFloat d;
+      const auto scale = hn::Set(d, this->ScalarScale), offset = hn::Set(d, this->ScalarOffset);
+      entry.S = hn::MulAdd(scale, entry.U, offset);
+      exit.S = hn::MulAdd(scale, exit.U, offset);
     }
   }
-};
 
-/// One end of the rays of a block: u and scalar * weight.
-struct BlockEnd
-{
-  CoverVector U, S;
-
-  template <bool IsEntry>
-  HWY_INLINE void Add(const CellFace& f, CoverVector x, CoverVector y, bool isFirst)
+  /// Calls `each` with the lanes of every block that lie in the box, their x and y from its corner, and their pixels.
+  template <class Each>
+  HWY_INLINE void Walk(const Each& each) const
   {
     const CoverFloat d;
-    auto at = [&](float p, float a, float b)
-    { return hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p))); };
-    const auto beyond = hn::Max(at(f.GP, f.GA, f.GB), hn::Zero(d));
-    const auto u = hn::MulAdd(hn::Set(d, f.UFold), beyond, at(f.UP, f.UA, f.UB));
-    const auto s = hn::MulAdd(hn::Set(d, f.SFold), beyond, at(f.SP, f.SA, f.SB));
-    const auto decides = IsEntry ? hn::Lt(u, this->U) : hn::Lt(this->U, u);
-    this->S = isFirst ? s : hn::IfThenElse(decides, s, this->S);
-    this->U = isFirst ? u : IsEntry ? hn::Min(this->U, u) : hn::Max(this->U, u);
+    const CoverInt di;
+    const BlockBox box(this->Shape, this->Width, this->Height);
+    const auto columns = hn::Load(d, this->Shape.X), rows = hn::Load(d, this->Shape.Y);
+    const auto pixels = hn::Load(di, this->Shape.Pixel);
+    for (int top = 0; top < this->Height; top += this->Shape.Height)
+    {
+      const auto y = hn::Add(rows, hn::Set(d, static_cast<float>(top)));
+      const auto inRows = box.InRows(top);
+      for (int left = 0; left < this->Width; left += this->Shape.Width)
+      {
+        const int corner = this->Corner + top * TileSize::Pixels + left;
+        each(left < box.LastLeft ? inRows : hn::And(inRows, box.InLast),
+          hn::Add(columns, hn::Set(d, static_cast<float>(left))), y,
+          hn::Add(pixels, hn::Set(di, corner)));
+      }
+    }
   }
 };
 
-/// A ray is inside beyond either plane of a pair: an end that lies in the gap between both moves.
-inline void CutAtValley(
-  const CellFace (&pair)[2], CoverVector x, CoverVector y, BlockEnd& entry, BlockEnd& exit)
+/// All of a fragment at once.
+inline void CoverConvexAtOnce(const CellBlocks& cell, TileFragments& out)
 {
-  BlockEnd enter, leave;
-  enter.Add<true>(pair[0], x, y, true);
-  leave.Add<false>(pair[1], x, y, true);
-  const auto later = hn::And(hn::Lt(entry.U, leave.U), hn::Lt(enter.U, entry.U));
-  entry.U = hn::IfThenElse(later, enter.U, entry.U);
-  entry.S = hn::IfThenElse(later, enter.S, entry.S);
-  const auto sooner = hn::And(hn::Lt(enter.U, exit.U), hn::Lt(exit.U, leave.U));
-  exit.U = hn::IfThenElse(sooner, leave.U, exit.U);
-  exit.S = hn::IfThenElse(sooner, leave.S, exit.S);
+  int count = out.Count;
+  cell.Walk(
+    [&](hn::Mask<CoverFloat> within, CoverVector x, CoverVector y, hn::Vec<CoverInt> pixel)
+    {
+      BlockEnd entry, exit;
+      cell.FindEnds<true>(x, y, entry, exit);
+      const auto covered = hn::And(within, hn::Lt(exit.U, entry.U));
+      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out);
+    });
+  out.Count = count;
 }
 
-/// A cell that floats serve.
-inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& tile, int cell,
-  const CellBox& box, const BlockShapes& shapes, TileFragments& out)
+/// The pixels first: as CoverInTwoSteps.
+inline void CoverConvexInTwoSteps(const CellBlocks& cell, TileFragments& out)
 {
   const CoverFloat d;
   const CoverInt di;
-  const CellFaces cover(task, cell, box);
-  if (cover.Entries == 0 || cover.Entries == cover.Count)
+  int count = out.Count;
+  cell.Walk(
+    [&](hn::Mask<CoverFloat> within, CoverVector x, CoverVector y, hn::Vec<CoverInt> pixel)
+    {
+      BlockEnd entry, exit;
+      cell.FindEnds<false>(x, y, entry, exit);
+      const auto covered = hn::And(within, hn::Lt(exit.U, entry.U));
+      count = AppendPixels(covered, pixel, count, out);
+    });
+  for (int at = out.Count; at < count; at += static_cast<int>(hn::Lanes(d)))
+  {
+    const PixelPlaces places(hn::LoadU(di, out.Pixel + at), cell.Corner);
+    BlockEnd entry, exit;
+    cell.FindEnds<true>(places.X, places.Y, entry, exit);
+    hn::StoreU(entry.U, d, out.Entry + at);
+    hn::StoreU(hn::Max(hn::Sub(entry.U, exit.U), hn::Zero(d)), d, out.Extent + at);
+    hn::StoreU(entry.S, d, out.ScalarIn + at);
+    hn::StoreU(exit.S, d, out.ScalarOut + at);
+  }
+  out.Count = count;
+}
+
+inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& tile, int id,
+  const CellBox& box, const BlockShapes& shapes, TileFragments& out)
+{
+  const CellBlocks cell(task, tile, id, box, shapes);
+  if (cell.Faces.Entries == 0 || cell.Faces.Entries == cell.Faces.Count)
   {
     return;
   }
-  const int width = box.LastX - box.FirstX + 1, height = box.LastY - box.FirstY + 1;
-  const BlockShapes::Shape& shape = shapes.Choose(width, height);
-  const auto columns = hn::Load(d, shape.X), rows = hn::Load(d, shape.Y);
-  const auto pixels = hn::Load(di, shape.Pixel);
-  const bool hasCellScalar = !task.Mesh->CellScalars.empty();
-  const auto cellScalar = hn::Set(d, hasCellScalar ? task.Mesh->CellScalars[cell] : 0.0f);
-  const auto scale = hn::Mul(cellScalar, hn::Set(d, float(task.Common.View->WeightScale)));
-  const auto offset = hn::Mul(cellScalar, hn::Set(d, float(task.Common.View->WeightOffset)));
-  int count = out.Count;
-  for (int top = 0; top < height; top += shape.Height)
+  if (cell.Faces.Pairs > 0 || cell.Width * cell.Height <= static_cast<int>(hn::Lanes(CoverFloat())))
   {
-    const auto y = hn::Add(rows, hn::Set(d, static_cast<float>(top)));
-    for (int left = 0; left < width; left += shape.Width)
-    {
-      const auto x = hn::Add(columns, hn::Set(d, static_cast<float>(left)));
-      BlockEnd entry, exit;
-      for (int i = 0; i < cover.Entries; ++i)
-      {
-        entry.Add<true>(cover.Faces[i], x, y, i == 0);
-      }
-      for (int i = cover.Entries; i < cover.Count; ++i)
-      {
-        exit.Add<false>(cover.Faces[i], x, y, i == cover.Entries);
-      }
-      // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
-      for (int i = 0; i < 2 * cover.Pairs; ++i)
-      {
-        CutAtValley(cover.Valleys[i % cover.Pairs], x, y, entry, exit);
-      }
-      const auto inBox = hn::And(hn::Lt(x, hn::Set(d, static_cast<float>(width))),
-        hn::Lt(y, hn::Set(d, static_cast<float>(height))));
-      const auto covered = hn::And(inBox, hn::Lt(exit.U, entry.U));
-      if (hn::AllFalse(d, covered))
-      {
-        continue;
-      }
-      if (hasCellScalar)
-      {
-        entry.S = hn::MulAdd(scale, entry.U, offset);
-        exit.S = hn::MulAdd(scale, exit.U, offset);
-      }
-      const int corner = (box.FirstY - tile.Bottom + top) * TileSize::Pixels + box.FirstX -
-                         tile.Left + left;
-      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S,
-        hn::Add(pixels, hn::Set(di, corner)), count, out);
-    }
+    CoverConvexAtOnce(cell, out);
   }
-  out.Count = count;
+  else
+  {
+    CoverConvexInTwoSteps(cell, out);
+  }
 }
 
 /// Appends a segment in parts over which the weight falls to a share of no less than LeastShare:

@@ -136,17 +136,23 @@ void CoverAtOnce(
   out.Count = count;
 }
 
+/// Puts the pixels of the covered lanes alone at `at`; returns where the next ones go.
+HWY_INLINE int AppendPixels(
+  hn::Mask<CoverFloat> covered, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
+{
+  const CoverFloat d;
+  hn::StoreU(LanePacker<CoverFloat>(d, covered)(pixel), CoverInt(), out.Pixel + at);
+  return at + static_cast<int>(hn::CountTrue(d, covered));
+}
+
 /// Puts the pixels of a block that lie between the planes at the end of the queue; returns how many it has then.
 template <int Entries>
 HWY_INLINE int AppendPixels(hn::Mask<CoverFloat> within, const CoverVector (&at)[4], hn::Vec<CoverInt> pixel,
   int count, TileFragments& out)
 {
-  const CoverFloat d;
   CoverVector entry, exit;
   FindInside<Entries, 4>(at, entry, exit);
-  const auto covered = hn::And(within, hn::Lt(exit, entry));
-  hn::StoreU(LanePacker<CoverFloat>(d, covered)(pixel), CoverInt(), out.Pixel + count);
-  return count + static_cast<int>(hn::CountTrue(d, covered));
+  return AppendPixels(hn::And(within, hn::Lt(exit, entry)), pixel, count, out);
 }
 
 /// The same of a cell.
@@ -185,13 +191,12 @@ HWY_INLINE void CompleteFragments(
 {
   const CoverFloat d;
   const CoverInt di;
-  const auto corner = hn::Set(di, CornerPixel(g, k));
+  const int corner = CornerPixel(g, k);
   const auto perU = hn::Set(d, g.ScalarU[k]);
   for (int at = begin; at < end; at += static_cast<int>(hn::Lanes(d)))
   {
-    const auto pixel = hn::Sub(hn::LoadU(di, out.Pixel + at), corner);
-    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
-    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
+    const PixelPlaces places(hn::LoadU(di, out.Pixel + at), corner);
+    const auto x = places.X, y = places.Y;
     CoverVector u[4], entry, exit;
     for (int f = 0; f < 4; ++f)
     {

@@ -40,6 +40,7 @@ list(APPEND private_headers
   Rendering/PolyhedraTiles.h
   Rendering/Tiles/ConvexTileCells.h
   Rendering/Tiles/ConvexTileCoverage-inl.h
+  Rendering/Tiles/ConvexTileEnds-inl.h
   Rendering/Tiles/ConvexTileExactCell.h
   Rendering/Tiles/ConvexTileFaces.h
   Rendering/Tiles/ConvexTileLanes-inl.h
