@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <random>
 
 namespace
 {
@@ -143,10 +144,11 @@ void RayOrder::MakeTree()
 }
 
 //------------------------------------------------------------------------------
-RayOrder::Point RayOrder::RandomPointIn(int cell, std::mt19937& random) const
+RayOrder::Point RayOrder::RandomPointIn(int cell, unsigned int seed) const
 {
   // Between two points of its faces: a mean of all corners would stay near the middle. A little
   // inwards: a ray within the plane of a face meets cells by the whim of rounding.
+  std::mt19937 random(seed);
   std::exponential_distribution<double> weight;
   const int begin = this->Offsets[cell], count = this->Offsets[cell + 1] - begin;
   double weights[6];
@@ -372,7 +374,7 @@ RayOrder::Result RayOrder::Check(const double eye[4], const std::vector<vtkIdTyp
   for (int i = 0; i < rays; ++i)
   {
     const int target = static_cast<int>(random() % this->CellIds.size());
-    const Point through = this->RandomPointIn(target, random);
+    const Point through = this->RandomPointIn(target, static_cast<unsigned int>(random()));
     double direction[3];
     for (int axis = 0; axis < 3; ++axis)
     {

@@ -6,7 +6,6 @@
 
 #include <array>
 #include <memory>
-#include <random>
 #include <vector>
 
 class vtkUnstructuredGrid;
@@ -59,7 +58,7 @@ private:
   void ReadCells(vtkUnstructuredGrid* grid, const std::vector<bool>& skipped);
   void AddFace(const std::vector<vtkIdType>& corners);
   void MakeTree();
-  Point RandomPointIn(int cell, std::mt19937& random) const;
+  Point RandomPointIn(int cell, unsigned int seed) const;
   bool Hit(const Ray& ray, const std::array<vtkIdType, 3>& triangle, double& depth) const;
   void AddSegments(const Ray& ray, int cell, bool fromEye, std::vector<Segment>& segments) const;
   /// Whether an edge of one cell runs through a triangle of the other, beyond rounding.
