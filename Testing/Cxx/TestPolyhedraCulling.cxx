@@ -10,9 +10,7 @@
 #include "TestMeshes.h"
 #include "TileArrays.h"
 
-#include "vtkTable.h"
 #include "vtkUnstructuredGrid.h"
-#include "vtkVariant.h"
 
 #include <algorithm>
 #include <iterator>
@@ -159,17 +157,7 @@ void CheckStatistics(TestChecks& checks)
     scene.Mapper->SetEngineToTiles();
     scene.SetMesh(grid);
     scene.SetView(0);
-    auto count = [&](const char* name)
-    { return scene.Mapper->GetLastStatistics()->GetValueByName(0, name).ToTypeInt64(); };
-    for (const double angle : { 40.0, 5.0 })
-    {
-      scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-      scene.Render();
-      CHECK((count("CellsSkippedOutside") > 0) == (angle < 10.0));
-      CHECK(count("CellsDrawn") > 0);
-      CHECK(count("CellsDrawn") + count("CellsSkippedOutside") + count("CellsSkippedTransparent") ==
-        grid->GetNumberOfCells());
-    }
+    scene.CheckCellsLeftOut(checks, 40.0, grid->GetNumberOfCells());
   }
 }
 

@@ -206,6 +206,21 @@ vtkIdType TestScene::GetStatistic(const char* column)
 }
 
 //------------------------------------------------------------------------------
+void TestScene::CheckCellsLeftOut(TestChecks& checks, double wide, vtkIdType cells)
+{
+  for (const double angle : { wide, 5.0 })
+  {
+    this->Renderer->GetActiveCamera()->SetViewAngle(angle);
+    this->Render();
+    const vtkIdType drawn = this->GetStatistic("CellsDrawn");
+    const vtkIdType outside = this->GetStatistic("CellsSkippedOutside");
+    CHECK((outside > 0) == (angle < 10.0));
+    CHECK(drawn > 0);
+    CHECK(drawn + outside + this->GetStatistic("CellsSkippedTransparent") == cells);
+  }
+}
+
+//------------------------------------------------------------------------------
 void TestScene::SetReportSmooth(vtkUnstructuredGrid* grid)
 {
   double range[2];

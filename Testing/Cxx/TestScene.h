@@ -87,6 +87,8 @@ public:
   vtkSmartPointer<vtkRenderer> AddSecondViewport();
   /// Of the last frame.
   vtkIdType GetStatistic(const char* column);
+  /// Of `cells` all are drawn or left out for a reason: none as outside in a view of `wide` degrees, some in one of 5.
+  void CheckCellsLeftOut(TestChecks& checks, double wide, vtkIdType cells);
   /// Constant colour and extinction (per unit distance 1).
   void SetConstant(double opacity);
   /// Nine points with spikes; `smooth` has three.

@@ -8,8 +8,6 @@
 #include "vtkFloatArray.h"
 #include "vtkPlane.h"
 #include "vtkPlaneCollection.h"
-#include "vtkTable.h"
-#include "vtkVariant.h"
 
 #include <functional>
 
@@ -115,17 +113,7 @@ void CheckStatistics(TestChecks& checks, vtkUnstructuredGrid* grid)
   scene.SetGrid(grid);
   scene.SetSpiky();
   scene.Mapper->SetEngineToTiles();
-  auto count = [&](const char* name)
-  { return scene.Mapper->GetLastStatistics()->GetValueByName(0, name).ToTypeInt64(); };
-  for (const double angle : { 30.0, 5.0 })
-  {
-    scene.Renderer->GetActiveCamera()->SetViewAngle(angle);
-    scene.Render();
-    CHECK((count("CellsSkippedOutside") > 0) == (angle < 10.0));
-    CHECK(count("CellsDrawn") > 0);
-    CHECK(count("CellsDrawn") + count("CellsSkippedOutside") + count("CellsSkippedTransparent") ==
-      grid->GetNumberOfCells());
-  }
+  scene.CheckCellsLeftOut(checks, 30.0, grid->GetNumberOfCells());
 }
 }
 
