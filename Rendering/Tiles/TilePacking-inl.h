@@ -22,42 +22,35 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-/// For each set of `Lanes` lanes those of the set, then the others.
-template <int Lanes>
-struct LaneOrders
-{
-  constexpr LaneOrders()
-  {
-    for (int set = 0; set < 1 << Lanes; ++set)
-    {
-      int count = 0;
-      for (int lane = 0; lane < 2 * Lanes; ++lane)
-      {
-        const bool isInSet = (set >> lane % Lanes & 1) != 0;
-        if (isInSet == (lane < Lanes))
-        {
-          this->Append(set, count++, lane % Lanes);
-        }
-      }
-    }
-  }
-  constexpr void Append(int set, int at, int lane)
-  {
-    this->Nibbles[set] |= static_cast<std::uint32_t>(lane) << 4 * at;
-    for (int byte = 0; byte < 4; ++byte)
-    {
-      this->Bytes[Lanes == 4 ? set : 0][4 * at + byte] = static_cast<std::uint8_t>(4 * lane + byte);
-    }
-  }
-  /// Four bits a lane.
-  std::uint32_t Nibbles[1 << Lanes] = {};
-  /// Of four lanes: the bytes of their vector.
-  alignas(16) std::uint8_t Bytes[Lanes == 4 ? 16 : 1][4 * Lanes] = {};
-};
-
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_SSE4 || HWY_TARGET == HWY_SSSE3
-template <int Lanes>
-inline constexpr LaneOrders<Lanes> TheLaneOrders{};
+/// Which of `lanes` lanes comes at a place where those of a set come first.
+constexpr int LaneAt(int lanes, int set, int place)
+{
+  for (int step = 0; step < 2 * lanes; ++step)
+  {
+    const bool isInSet = (set >> step % lanes & 1) != 0;
+    if (isInSet == (step < lanes) && place-- == 0)
+    {
+      return step % lanes;
+    }
+  }
+  return 0;
+}
+
+/// For each set of four lanes the bytes of their vector.
+struct OrdersOfFour
+{
+  constexpr OrdersOfFour()
+  {
+    for (int i = 0; i < 16 * 16; ++i)
+    {
+      this->Bytes[i / 16][i % 16] =
+        static_cast<std::uint8_t>(4 * LaneAt(4, i / 16, i % 16 / 4) + i % 4);
+    }
+  }
+  alignas(16) std::uint8_t Bytes[16][16] = {};
+};
+inline constexpr OrdersOfFour TheOrdersOfFour{};
 
 template <class D>
 HWY_INLINE int LaneSet(D d, hn::Mask<D> lanes)
@@ -73,7 +66,7 @@ class LanePacker
 {
 public:
   HWY_INLINE LanePacker(D d, hn::Mask<D> lanes)
-    : Bytes(hn::Load(Byte(), TheLaneOrders<4>.Bytes[LaneSet(d, lanes)]))
+    : Bytes(hn::Load(Byte(), TheOrdersOfFour.Bytes[LaneSet(d, lanes)]))
   {
   }
   template <class Vector>
@@ -89,12 +82,26 @@ private:
 };
 
 #if HWY_TARGET == HWY_AVX2
+/// For each set of eight lanes four bits a lane.
+struct OrdersOfEight
+{
+  constexpr OrdersOfEight()
+  {
+    for (int i = 0; i < 256 * 8; ++i)
+    {
+      this->Nibbles[i / 8] |= static_cast<std::uint32_t>(LaneAt(8, i / 8, i % 8)) << 4 * (i % 8);
+    }
+  }
+  std::uint32_t Nibbles[256] = {};
+};
+inline constexpr OrdersOfEight TheOrdersOfEight{};
+
 template <class D>
 class LanePacker<D, 8>
 {
 public:
   HWY_INLINE LanePacker(D d, hn::Mask<D> lanes)
-    : Order(FindOrder(TheLaneOrders<8>.Nibbles[LaneSet(d, lanes)]))
+    : Order(FindOrder(TheOrdersOfEight.Nibbles[LaneSet(d, lanes)]))
   {
   }
   template <class Vector>
