@@ -21,6 +21,7 @@
 #include "ConvexTileTask.h"
 #include "TileCoverage-inl.h"
 #include "TileLimits.h"
+#include "TilePixels-inl.h"
 
 #include <hwy/highway.h>
 
@@ -97,8 +98,8 @@ struct CellBlocks
     }
   }
 
-  /// Calls `each` with the lanes of every block that lie in the box, their x and y from its corner, and their pixels.
-  template <class Each>
+  /// Calls `each` with the covered lanes of every block, where their rays enter and leave, and their pixels.
+  template <bool WithScalars, class Each>
   HWY_INLINE void Walk(const Each& each) const
   {
     const CoverFloat d;
@@ -112,9 +113,12 @@ struct CellBlocks
       const auto inRows = box.InRows(top);
       for (int left = 0; left < this->Width; left += this->Shape.Width)
       {
+        BlockEnd entry, exit;
+        this->FindEnds<WithScalars>(
+          hn::Add(columns, hn::Set(d, static_cast<float>(left))), y, entry, exit);
+        const auto within = left < box.LastLeft ? inRows : hn::And(inRows, box.InLast);
         const int corner = this->Corner + top * TileSize::Pixels + left;
-        each(left < box.LastLeft ? inRows : hn::And(inRows, box.InLast),
-          hn::Add(columns, hn::Set(d, static_cast<float>(left))), y,
+        each(hn::And(within, hn::Lt(exit.U, entry.U)), entry, exit,
           hn::Add(pixels, hn::Set(di, corner)));
       }
     }
@@ -125,14 +129,9 @@ struct CellBlocks
 inline void CoverConvexAtOnce(const CellBlocks& cell, TileFragments& out)
 {
   int count = out.Count;
-  cell.Walk(
-    [&](hn::Mask<CoverFloat> within, CoverVector x, CoverVector y, hn::Vec<CoverInt> pixel)
-    {
-      BlockEnd entry, exit;
-      cell.FindEnds<true>(x, y, entry, exit);
-      const auto covered = hn::And(within, hn::Lt(exit.U, entry.U));
-      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out);
-    });
+  cell.Walk<true>(
+    [&](hn::Mask<CoverFloat> covered, const BlockEnd& entry, const BlockEnd& exit, hn::Vec<CoverInt> pixel)
+    { count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out); });
   out.Count = count;
 }
 
@@ -142,14 +141,9 @@ inline void CoverConvexInTwoSteps(const CellBlocks& cell, TileFragments& out)
   const CoverFloat d;
   const CoverInt di;
   int count = out.Count;
-  cell.Walk(
-    [&](hn::Mask<CoverFloat> within, CoverVector x, CoverVector y, hn::Vec<CoverInt> pixel)
-    {
-      BlockEnd entry, exit;
-      cell.FindEnds<false>(x, y, entry, exit);
-      const auto covered = hn::And(within, hn::Lt(exit.U, entry.U));
-      count = AppendPixels(covered, pixel, count, out);
-    });
+  cell.Walk<false>(
+    [&](hn::Mask<CoverFloat> covered, const BlockEnd&, const BlockEnd&, hn::Vec<CoverInt> pixel)
+    { count = AppendPixels(covered, pixel, count, out); });
   for (int at = out.Count; at < count; at += static_cast<int>(hn::Lanes(d)))
   {
     const PixelPlaces places(hn::LoadU(di, out.Pixel + at), cell.Corner);

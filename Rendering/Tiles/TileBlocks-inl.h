@@ -121,21 +121,6 @@ HWY_INLINE CoverVector LinearAt(float a, float b, float p, CoverVector x, CoverV
   return hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
 }
 
-/// Columns and rows of pixels of a tile, from the pixel where a box begins.
-struct PixelPlaces
-{
-  CoverVector X, Y;
-
-  HWY_INLINE PixelPlaces(hn::Vec<CoverInt> pixel, int corner)
-  {
-    const CoverFloat d;
-    const CoverInt di;
-    const auto from = hn::Sub(pixel, hn::Set(di, corner));
-    this->X = hn::ConvertTo(d, hn::And(from, hn::Set(di, TileSize::Pixels - 1)));
-    this->Y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(from));
-  }
-};
-
 /// What is linear over the pixels of a block, and its steps to the next block.
 struct BlockWalk
 {

@@ -18,6 +18,7 @@
 #include "TileFragments.h"
 #include "TileGroup.h"
 #include "TilePacking-inl.h"
+#include "TilePixels-inl.h"
 #include "TileTask.h"
 
 #include <hwy/highway.h>

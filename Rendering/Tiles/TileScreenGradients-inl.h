@@ -14,6 +14,7 @@
 #include "TileCellFields.h"
 #include "TileLighting.h"
 #include "TilePieces-inl.h"
+#include "TilePixels-inl.h"
 #include "TileTask.h"
 #include "TileView.h"
 
@@ -54,17 +55,14 @@ public:
     }
   }
 
-  /// At the entry and the exit of the fragments from `at` on, `used` of them, times the weight.
-  HWY_INLINE void Find(const TileFragments& q, int at, int used, ShadeVector (&in)[3],
-    ShadeVector (&out)[3])
+  /// At the entry and the exit of the fragments from `at` on, `used` of them at `places`, times the weight.
+  HWY_INLINE void Find(const TileFragments& q, int at, int used, const PixelPlaces& places,
+    ShadeVector (&in)[3], ShadeVector (&out)[3])
   {
     const ShadeFloat d;
-    const ShadeInt di;
     ShadeVector rows[Terms];
     this->Load(q.Cell + at, used, rows);
-    const auto pixel = hn::Load(di, q.Pixel + at);
-    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
-    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
+    const auto x = places.X, y = places.Y;
     const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
     for (int k = 0; k < 3; ++k)
     {

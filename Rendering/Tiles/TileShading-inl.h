@@ -19,6 +19,7 @@
 #include "TileMath-inl.h"
 #include "TilePacking-inl.h"
 #include "TilePieces-inl.h"
+#include "TilePixels-inl.h"
 #include "TileTask.h"
 #include "TileThinPieces-inl.h"
 #include "TileTransfer.h"
@@ -56,9 +57,8 @@ public:
   HWY_INLINE ShadeVector At(ShadeIndex pixel) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
-    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
-    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
+    const PixelPlaces places(pixel);
+    const auto x = places.X, y = places.Y;
     const auto perX = hn::MulAdd(this->Term(3), x, hn::MulAdd(this->Term(4), y, this->Term(1)));
     const auto perY = hn::MulAdd(this->Term(5), y, this->Term(2));
     return hn::Sqrt(hn::MulAdd(perX, x, hn::MulAdd(perY, y, this->Term(0))));

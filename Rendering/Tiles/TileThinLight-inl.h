@@ -17,6 +17,7 @@
 #include "TileLighting.h"
 #include "TileMath-inl.h"
 #include "TilePieces-inl.h"
+#include "TilePixels-inl.h"
 #include "TileScreenGradients-inl.h"
 #include "TileTask.h"
 #include "TileTransfer.h"
@@ -38,6 +39,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// A vector of fragments: scalars and weights at both ends, and the way to the eye.
 struct ThinCourse
 {
+  PixelPlaces Places;
   ShadeVector First, Last, WeightIn, WeightOut;
   ShadeVector Length; // in the world, twice, over ViewRays::LengthPerWay
   ShadeVector EyeX, EyeY, PerEye; // 2 / length of (EyeX, EyeY, 1)
@@ -84,7 +86,7 @@ public:
   /// changes too much along it.
   HWY_INLINE bool Color(const TileFragments& q, int at, ShadeVector (&color)[4])
   {
-    ThinCourse course;
+    ThinCourse course{ PixelPlaces(hn::Load(ShadeInt(), q.Pixel + at)) };
     this->FindCourse(q, at, course);
     if (!this->IsThin(course) && !(this->TakePieceOf(course.First) && this->IsThin(course)))
     {
@@ -109,7 +111,6 @@ private:
   HWY_INLINE void FindCourse(const TileFragments& q, int at, ThinCourse& c) const
   {
     const ShadeFloat d;
-    const ShadeInt di;
     const auto extent = hn::Load(d, q.Extent + at);
     const auto scale = hn::Set(d, this->WeightScale);
     c.WeightIn = hn::MulAdd(scale, hn::Load(d, q.Entry + at), hn::Set(d, this->WeightOffset));
@@ -117,11 +118,8 @@ private:
     const auto inverse = Reciprocal(d, hn::Mul(c.WeightIn, c.WeightOut));
     c.First = hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), c.WeightOut), inverse);
     c.Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), c.WeightIn), inverse);
-    const auto pixel = hn::Load(di, q.Pixel + at);
-    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
-    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
-    c.EyeX = hn::MulAdd(hn::Set(d, this->EyePerPixel[0]), x, hn::Set(d, this->EyeStart[0]));
-    c.EyeY = hn::MulAdd(hn::Set(d, this->EyePerPixel[1]), y, hn::Set(d, this->EyeStart[1]));
+    c.EyeX = hn::MulAdd(hn::Set(d, this->EyePerPixel[0]), c.Places.X, hn::Set(d, this->EyeStart[0]));
+    c.EyeY = hn::MulAdd(hn::Set(d, this->EyePerPixel[1]), c.Places.Y, hn::Set(d, this->EyeStart[1]));
     const auto square =
       hn::MulAdd(c.EyeX, c.EyeX, hn::MulAdd(c.EyeY, c.EyeY, hn::Set(d, 1.0f)));
     c.PerEye = TwiceInverseRoot(d, square);
@@ -153,7 +151,7 @@ private:
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
     ShadeVector in[3], out[3];
-    this->Gradients.Find(q, at, std::min(lanes, q.Count - at), in, out);
+    this->Gradients.Find(q, at, std::min(lanes, q.Count - at), c.Places, in, out);
     for (int k = 0; k < 3; ++k)
     {
       const auto begin = hn::Mul(in[k], c.WeightOut);

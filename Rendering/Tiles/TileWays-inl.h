@@ -11,6 +11,7 @@
 
 #include "TileCellFields.h"
 #include "TileLighting.h"
+#include "TilePixels-inl.h"
 #include "TileShading-inl.h"
 #include "TileTask.h"
 
@@ -97,9 +98,8 @@ private:
   static HWY_INLINE void At(const float (&terms)[3][3], ShadeIndex pixel, ShadeVector (&out)[3])
   {
     const ShadeFloat d;
-    const ShadeInt di;
-    const auto y = hn::ConvertTo(d, hn::ShiftRight<TileSize::Shift>(pixel));
-    const auto x = hn::ConvertTo(d, hn::And(pixel, hn::Set(di, TileSize::Pixels - 1)));
+    const PixelPlaces places(pixel);
+    const auto x = places.X, y = places.Y;
     for (int k = 0; k < 3; ++k)
     {
       const auto row = hn::MulAdd(hn::Set(d, terms[k][2]), y, hn::Set(d, terms[k][0]));

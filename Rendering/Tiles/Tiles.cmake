@@ -91,6 +91,7 @@ list(APPEND private_headers
   Rendering/Tiles/TilePacking-inl.h
   Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h
+  Rendering/Tiles/TilePixels-inl.h
   Rendering/Tiles/TilePlaces.h
   Rendering/Tiles/TileProjection.h
   Rendering/Tiles/TileRecords-inl.h
