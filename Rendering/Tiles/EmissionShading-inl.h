@@ -4,6 +4,7 @@
  * A fragment is cut where the transfer function bends; in a piece the emission is a quadratic
  * function of the scalar, whose mean is exact. The first piece of every fragment is shaded straight
  * through; what is left of those that are cut waits in a second queue and is shaded the same way.
+ * Vectors that lie in one piece, most of them where the function is smooth, look nothing up.
  */
 #if defined(EmissionShading_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef EmissionShading_inl_h
@@ -60,12 +61,33 @@ public:
   }
 
 private:
-  HWY_INLINE void ShadePiece(
-    const EmissionPieces& p, ShadeMask used, TileRemainders& rest, ShadeVector (&color)[4]) const
+  /// Goes over to the piece that a vector of courses lies in, if there is one.
+  HWY_INLINE bool FindOnePiece(ShadeVector first, ShadeVector last, OnePieceLookUp& one) const
+  {
+    const ShadeFloat d;
+    const auto least = hn::Min(first, last), greatest = hn::Max(first, last);
+    const auto lies = [&]
+    {
+      // Not up to its end: at a step that is the next piece's.
+      const float* const bounds = &this->Table.Bounds[static_cast<std::size_t>(one.Piece)];
+      const auto above = hn::Le(hn::Set(d, bounds[0]), least);
+      return hn::AllTrue(d, hn::And(above, hn::Lt(greatest, hn::Set(d, bounds[1]))));
+    };
+    if (lies())
+    {
+      return true;
+    }
+    one.Piece = FindPiece(this->Table, hn::GetLane(first));
+    return lies();
+  }
+
+  template <class Values>
+  HWY_INLINE void ShadePiece(const Values& values, const EmissionPieces& p, ShadeMask used,
+    TileRemainders& rest, ShadeVector (&color)[4]) const
   {
     const ShadeFloat d;
     const EmissionTable& t = this->Table;
-    const NodeCut node = FindNode(this->Values, t, p.Piece, p.First, p.Last, used);
+    const NodeCut node = FindNode(values, t, p.Piece, p.First, p.Last, used);
     auto end = p.Last, part = p.Length;
     if (node.IsAny)
     {
@@ -75,7 +97,7 @@ private:
       this->Append(
         node.IsCut, { end, p.Last, hn::Sub(p.Length, part), beyond, p.Fragment }, rest);
     }
-    const auto origin = this->Values(t.Origins.data(), p.Piece);
+    const auto origin = values(t.Origins.data(), p.Piece);
     const auto a = hn::Sub(p.First, origin), b = hn::Sub(end, origin);
     // Means of x and of x x between a and b.
     const auto mean = hn::Mul(hn::Set(d, 0.5f), hn::Add(a, b));
@@ -83,9 +105,8 @@ private:
       hn::Mul(hn::Set(d, 1.0f / 3.0f), hn::MulAdd(a, hn::Add(a, b), hn::Mul(b, b)));
     for (int k = 0; k < 3; ++k)
     {
-      const auto value = hn::MulAdd(this->Values(t.C2[k].data(), p.Piece), square,
-        hn::MulAdd(this->Values(t.C1[k].data(), p.Piece), mean,
-          this->Values(t.C0[k].data(), p.Piece)));
+      const auto value = hn::MulAdd(values(t.C2[k].data(), p.Piece), square,
+        hn::MulAdd(values(t.C1[k].data(), p.Piece), mean, values(t.C0[k].data(), p.Piece)));
       color[k] = hn::Mul(part, value);
     }
     color[3] = hn::Zero(d);
@@ -111,6 +132,8 @@ private:
     const ShadeInt di;
     const int lanes = static_cast<int>(hn::Lanes(d));
     const auto scale = hn::Set(d, this->WeightScale), offset = hn::Set(d, this->WeightOffset);
+    q.FillLastVector();
+    OnePieceLookUp one;
     for (int at = 0; at < q.Count; at += lanes)
     {
       const FragmentEnds ends(q, at, scale, offset);
@@ -118,11 +141,18 @@ private:
       p.Length = hn::Mul(ends.Depth(), this->Lengths.At(hn::Load(di, q.Pixel + at)));
       p.First = ends.First(q.ScalarIn + at);
       p.Last = ends.Last(q.ScalarOut + at);
-      p.Piece = PieceOf(this->Values, this->Table, p.First);
       p.Fragment = Ramp(di, at);
       ShadeVector color[4];
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
-      this->ShadePiece(p, used, rest, color);
+      if (this->FindOnePiece(p.First, p.Last, one))
+      {
+        this->ShadePiece(one, p, used, rest, color);
+      }
+      else
+      {
+        p.Piece = PieceOf(this->Values, this->Table, p.First);
+        this->ShadePiece(this->Values, p, used, rest, color);
+      }
       StoreColors(color, at, q);
     }
   }
@@ -145,7 +175,7 @@ private:
       p.Piece = hn::IfThenElseZero(usedInt, hn::Load(di, now.Piece + at));
       p.Fragment = hn::Load(di, now.Fragment + at);
       ShadeVector color[4];
-      this->ShadePiece(p, used, next, color);
+      this->ShadePiece(this->Values, p, used, next, color);
       AddColors(color, now.Fragment + at, count, q);
     }
   }
