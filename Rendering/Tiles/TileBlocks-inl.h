@@ -1,5 +1,5 @@
 /**
- * Blocks of pixels, one vector each, and what is linear over them.
+ * Blocks of pixels, one vector each, whose covered lanes are packed.
  */
 #if defined(TileBlocks_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TileBlocks_inl_h
@@ -9,6 +9,8 @@
 #endif
 
 #include "TileCells.h"
+#include "TileFragments.h"
+#include "TilePacking-inl.h"
 
 #include <hwy/highway.h>
 
@@ -121,65 +123,27 @@ HWY_INLINE CoverVector LinearAt(float a, float b, float p, CoverVector x, CoverV
   return hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
 }
 
-/// What is linear over the pixels of a block, and its steps to the next block.
-struct BlockWalk
+/// Puts the lanes of `covered` at `at`; returns where the next ones go.
+HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
+  CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
 {
-  CoverVector Row, StepX, StepY;
+  const CoverFloat d;
+  const LanePacker<CoverFloat> pack(d, covered);
+  hn::StoreU(pack(entry), d, out.Entry + at);
+  hn::StoreU(pack(hn::Sub(entry, exit)), d, out.Extent + at);
+  hn::StoreU(pack(scalarIn), d, out.ScalarIn + at);
+  hn::StoreU(pack(scalarOut), d, out.ScalarOut + at);
+  hn::StoreU(pack(pixel), CoverInt(), out.Pixel + at);
+  return at + static_cast<int>(hn::CountTrue(d, covered));
+}
 
-  HWY_INLINE void Begin(
-    float a, float b, float p, CoverVector x, CoverVector y, const BlockShapes::Shape& shape)
-  {
-    const CoverFloat d;
-    this->Row = LinearAt(a, b, p, x, y);
-    this->StepX = hn::Set(d, a * static_cast<float>(shape.Width));
-    this->StepY = hn::Set(d, b * static_cast<float>(shape.Height));
-  }
-};
-
-/// Several of them.
-template <int Lines>
-struct BlockWalks
+/// Puts the pixels of the covered lanes alone at `at`; returns where the next ones go.
+HWY_INLINE int AppendPixels(
+  hn::Mask<CoverFloat> covered, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
 {
-  BlockWalk Line[Lines];
-
-  /// At the first block of a row; the next call is at the next row's.
-  HWY_INLINE void BeginRow(CoverVector (&at)[Lines])
-  {
-    for (int f = 0; f < Lines; ++f)
-    {
-      at[f] = this->Line[f].Row;
-      this->Line[f].Row = hn::Add(this->Line[f].Row, this->Line[f].StepY);
-    }
-  }
-  HWY_INLINE void Step(CoverVector (&at)[Lines]) const
-  {
-    for (int f = 0; f < Lines; ++f)
-    {
-      at[f] = hn::Add(at[f], this->Line[f].StepX);
-    }
-  }
-};
-
-/// Between the `Entries` entry planes and the others, and the cuts: the last entry, and the first
-/// exit.
-template <int Entries, int Lines>
-HWY_INLINE void FindInside(const CoverVector (&at)[Lines], CoverVector& entry, CoverVector& exit)
-{
-  entry = at[0];
-  exit = at[Entries];
-  for (int f = 1; f < Entries; ++f)
-  {
-    entry = hn::Min(entry, at[f]);
-  }
-  for (int f = Entries + 1; f < 4; ++f)
-  {
-    exit = hn::Max(exit, at[f]);
-  }
-  if (Lines > 5)
-  {
-    entry = hn::Min(entry, at[Lines - 2]);
-    exit = hn::Max(exit, at[Lines - 1]);
-  }
+  const CoverFloat d;
+  hn::StoreU(LanePacker<CoverFloat>(d, covered)(pixel), CoverInt(), out.Pixel + at);
+  return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 }
 }

@@ -1,8 +1,7 @@
 /**
- * Which pixels of a tile a cell covers, and where their rays enter and leave it.
+ * The pixels of a tile that a cell covers, row by row, and where their rays enter and leave it.
  *
  * A ray is inside between its last entry (the least u of the entry planes) and its first exit.
- * Blocks of one vector of pixels; covered ones are compressed into the queue.
  */
 #if defined(TileCoverage_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TileCoverage_inl_h
@@ -58,171 +57,134 @@ struct FaceLists
   int Entries[16] = {};
 };
 
-/// Puts the lanes of `covered` at `at`; returns where the next ones go.
-HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
-  CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
-{
-  const CoverFloat d;
-  const LanePacker<CoverFloat> pack(d, covered);
-  hn::StoreU(pack(entry), d, out.Entry + at);
-  hn::StoreU(pack(hn::Sub(entry, exit)), d, out.Extent + at);
-  hn::StoreU(pack(scalarIn), d, out.ScalarIn + at);
-  hn::StoreU(pack(scalarOut), d, out.ScalarOut + at);
-  hn::StoreU(pack(pixel), CoverInt(), out.Pixel + at);
-  return at + static_cast<int>(hn::CountTrue(d, covered));
-}
-
-/// The walks over the lines of a cell: its faces in the order of `faces`, then, where wanted, the scalar and the cuts.
-template <int Lines>
-HWY_INLINE void BeginWalks(
-  const TileGroup& g, int k, const int* faces, const BlockShapes::Shape& shape, BlockWalks<Lines>& walks)
-{
-  const CoverFloat d;
-  const auto x = hn::Load(d, shape.X), y = hn::Load(d, shape.Y);
-  for (int f = 0; f < 4; ++f)
-  {
-    walks.Line[f].Begin(g.A[faces[f]][k], g.B[faces[f]][k], g.P[faces[f]][k], x, y, shape);
-  }
-  if constexpr (Lines > 4)
-  {
-    walks.Line[4].Begin(g.ScalarA[k], g.ScalarB[k], g.ScalarP[k], x, y, shape);
-  }
-  for (int f = 5; f < Lines; ++f)
-  {
-    const int cut = f - 5 + TileGroup::CutEntry;
-    walks.Line[f].Begin(g.A[cut][k], g.B[cut][k], g.P[cut][k], x, y, shape);
-  }
-}
-
 /// The pixel of the tile's where the box of a cell begins.
 HWY_INLINE int CornerPixel(const TileGroup& g, int k)
 {
   return g.Bottom[k] * TileSize::Pixels + g.Left[k];
 }
 
-/// All of a fragment at once.
-template <int Entries, bool IsCut>
-void CoverAtOnce(
-  const TileGroup& g, int k, const int* faces, const BlockShapes::Shape& shape, TileFragments& out)
+/// The pixels of a row from its 17th on.
+HWY_NOINLINE inline void StoreLongRow(int start, int length, int* at)
 {
-  const CoverFloat d;
   const CoverInt di;
-  constexpr int lines = IsCut ? 7 : 5;
-  BlockWalks<lines> walks;
-  BeginWalks(g, k, faces, shape, walks);
-  const auto perU = hn::Set(d, g.ScalarU[k]);
-  const BlockBox box(shape, g.Width[k], g.Height[k]);
-  auto row = hn::Add(hn::Load(di, shape.Pixel), hn::Set(di, CornerPixel(g, k)));
-  // A copy: the compiler must take it that every store may change the count.
-  int count = out.Count;
-  for (int top = 0; top < g.Height[k]; top += shape.Height)
+  for (int i = 16; i < length; i += static_cast<int>(hn::Lanes(di)))
   {
-    CoverVector at[lines];
-    walks.BeginRow(at);
-    const auto inRows = box.InRows(top);
-    auto pixel = row;
-    row = hn::Add(row, hn::Set(di, shape.Height * TileSize::Pixels));
-    for (int left = 0; left <= box.LastLeft; left += shape.Width)
-    {
-      CoverVector entry, exit;
-      FindInside<Entries, lines>(at, entry, exit);
-      // Appended where none is covered, too: a branch that is guessed wrong costs more.
-      const auto within = left < box.LastLeft ? inRows : hn::And(inRows, box.InLast);
-      count = AppendFragments(hn::And(within, hn::Lt(exit, entry)), entry, exit,
-        hn::MulAdd(perU, entry, at[4]), hn::MulAdd(perU, exit, at[4]), pixel, count, out);
-      pixel = hn::Add(pixel, hn::Set(di, shape.Width));
-      walks.Step(at);
-    }
+    hn::StoreU(hn::Iota(di, start + i), di, at + i);
   }
-  out.Count = count;
 }
 
-/// Puts the pixels of the covered lanes alone at `at`; returns where the next ones go.
-HWY_INLINE int AppendPixels(
-  hn::Mask<CoverFloat> covered, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
-{
-  const CoverFloat d;
-  hn::StoreU(LanePacker<CoverFloat>(d, covered)(pixel), CoverInt(), out.Pixel + at);
-  return at + static_cast<int>(hn::CountTrue(d, covered));
-}
-
-/// Puts the pixels of a block that lie between the planes at the end of the queue; returns how many it has then.
-template <int Entries>
-HWY_INLINE int AppendPixels(hn::Mask<CoverFloat> within, const CoverVector (&at)[4], hn::Vec<CoverInt> pixel,
-  int count, TileFragments& out)
-{
-  CoverVector entry, exit;
-  FindInside<Entries, 4>(at, entry, exit);
-  return AppendPixels(hn::And(within, hn::Lt(exit, entry)), pixel, count, out);
-}
-
-/// The same of a cell.
-template <int Entries>
-HWY_INLINE int AppendPixels(const TileGroup& g, int k, const int* faces,
-  const BlockShapes::Shape& shape, TileFragments& out)
+/// Puts the pixels of a cell at the end of the queue; returns how many it has then.
+HWY_INLINE int AppendSpans(const TileGroup& g, int k, TileFragments& out)
 {
   const CoverInt di;
-  BlockWalks<4> walks;
-  BeginWalks(g, k, faces, shape, walks);
-  const BlockBox box(shape, g.Width[k], g.Height[k]);
-  auto row = hn::Add(hn::Load(di, shape.Pixel), hn::Set(di, CornerPixel(g, k)));
   int count = out.Count;
-  for (int top = 0; top < g.Height[k]; top += shape.Height)
+  for (int begin = 0; begin < g.Height[k]; begin += TileGroup::RowStep)
   {
-    CoverVector at[4];
-    walks.BeginRow(at);
-    const auto inRows = box.InRows(top);
-    auto pixel = row;
-    row = hn::Add(row, hn::Set(di, shape.Height * TileSize::Pixels));
-    for (int left = 0; left < box.LastLeft; left += shape.Width)
+    for (int row = begin; row < begin + TileGroup::RowStep; ++row)
     {
-      count = AppendPixels<Entries>(inRows, at, pixel, count, out);
-      pixel = hn::Add(pixel, hn::Set(di, shape.Width));
-      walks.Step(at);
+      int* at = out.Pixel + count;
+      const int length = g.SpanCount[row][k];
+      // Most rows are that short: nothing to guess.
+      const auto start = hn::Set(di, g.SpanStart[row][k]);
+      for (int i = 0; i < 16; i += static_cast<int>(hn::Lanes(di)))
+      {
+        hn::StoreU(hn::Add(start, hn::Iota(di, i)), di, at + i);
+      }
+      if (HWY_UNLIKELY(length > 16))
+      {
+        StoreLongRow(g.SpanStart[row][k], length, at);
+      }
+      count += length;
     }
-    count = AppendPixels<Entries>(hn::And(inRows, box.InLast), at, pixel, count, out);
   }
   return count;
 }
 
+/// Between the entry planes and the others, of which the last two may be cuts: the last entry, and the first exit.
+template <int Entries, int Planes>
+HWY_INLINE void FindInside(const CoverVector (&u)[Planes], CoverVector& entry, CoverVector& exit)
+{
+  entry = u[0];
+  exit = u[Entries];
+  for (int f = 1; f < Entries; ++f)
+  {
+    entry = hn::Min(entry, u[f]);
+  }
+  for (int f = Entries + 1; f < 4; ++f)
+  {
+    exit = hn::Max(exit, u[f]);
+  }
+  if (Planes > 4)
+  {
+    entry = hn::Min(entry, u[Planes - 2]);
+    exit = hn::Max(exit, u[Planes - 1]);
+  }
+}
+
+/// What is linear over the pixels of a cell.
+struct CoverLine
+{
+  CoverVector A, B, P;
+
+  HWY_INLINE void Take(float a, float b, float p)
+  {
+    const CoverFloat d;
+    this->A = hn::Set(d, a);
+    this->B = hn::Set(d, b);
+    this->P = hn::Set(d, p);
+  }
+  HWY_INLINE CoverVector At(const PixelPlaces& places) const
+  {
+    return hn::MulAdd(this->A, places.X, hn::MulAdd(this->B, places.Y, this->P));
+  }
+};
+
+/// The planes of a cell, and its scalar.
+template <int Entries, int Planes>
+struct CoverLines
+{
+  CoverLine Plane[Planes], Scalar;
+  CoverVector ScalarU;
+
+  /// `faces` has the entries first.
+  HWY_INLINE CoverLines(const TileGroup& g, int k, const int* faces)
+    : ScalarU(hn::Set(CoverFloat(), g.ScalarU[k]))
+  {
+    for (int i = 0; i < Planes; ++i)
+    {
+      const int plane = i < 4 ? faces[i] : i - 4 + TileGroup::CutEntry;
+      this->Plane[i].Take(g.A[plane][k], g.B[plane][k], g.P[plane][k]);
+    }
+    this->Scalar.Take(g.ScalarA[k], g.ScalarB[k], g.ScalarP[k]);
+  }
+};
+
 /// The rest of the fragments from `begin` to `end`, whose pixels there are.
-template <int Entries>
+template <int Entries, int Planes>
 HWY_INLINE void CompleteFragments(
   const TileGroup& g, int k, const int* faces, int begin, int end, TileFragments& out)
 {
   const CoverFloat d;
   const CoverInt di;
   const int corner = CornerPixel(g, k);
-  const auto perU = hn::Set(d, g.ScalarU[k]);
+  const CoverLines<Entries, Planes> lines(g, k, faces);
   for (int at = begin; at < end; at += static_cast<int>(hn::Lanes(d)))
   {
     const PixelPlaces places(hn::LoadU(di, out.Pixel + at), corner);
-    const auto x = places.X, y = places.Y;
-    CoverVector u[4], entry, exit;
-    for (int f = 0; f < 4; ++f)
+    CoverVector u[Planes], entry, exit;
+    for (int i = 0; i < Planes; ++i)
     {
-      u[f] = LinearAt(g.A[faces[f]][k], g.B[faces[f]][k], g.P[faces[f]][k], x, y);
+      u[i] = lines.Plane[i].At(places);
     }
-    FindInside<Entries, 4>(u, entry, exit);
-    // Rounded otherwise than what found the pixel.
+    FindInside<Entries, Planes>(u, entry, exit);
+    // The ends of a row are rounded otherwise.
     const auto extent = hn::Max(hn::Sub(entry, exit), hn::Zero(d));
-    const auto scalar =
-      hn::MulAdd(perU, entry, LinearAt(g.ScalarA[k], g.ScalarB[k], g.ScalarP[k], x, y));
+    const auto scalar = hn::MulAdd(lines.ScalarU, entry, lines.Scalar.At(places));
     hn::StoreU(entry, d, out.Entry + at);
     hn::StoreU(extent, d, out.Extent + at);
     hn::StoreU(scalar, d, out.ScalarIn + at);
-    hn::StoreU(hn::NegMulAdd(perU, extent, scalar), d, out.ScalarOut + at);
+    hn::StoreU(hn::NegMulAdd(lines.ScalarU, extent, scalar), d, out.ScalarOut + at);
   }
-}
-
-/// From two blocks on it takes less to pack one vector a block and to do the rest of full vectors than to pack five.
-template <int Entries>
-void CoverInTwoSteps(
-  const TileGroup& g, int k, const int* faces, const BlockShapes::Shape& shape, TileFragments& out)
-{
-  const int begin = out.Count;
-  out.Count = AppendPixels<Entries>(g, k, faces, shape, out);
-  CompleteFragments<Entries>(g, k, faces, begin, out.Count, out);
 }
 
 /// Where in the tile a cell of a group lies.
@@ -236,33 +198,24 @@ inline std::uint32_t PackBox(const TileGroup& group, int k)
 
 /// One cell of a group: `faces` has the `Entries` entry faces first.
 template <int Entries>
-HWY_INLINE void CoverCell(const TileGroup& g, int k, const int* faces,
-  const BlockShapes::Shape& shape, TileFragments& out)
+HWY_INLINE void CoverCell(const TileGroup& g, int k, const int* faces, TileFragments& out)
 {
-  if (g.Cut[k] != 0)
-  {
-    CoverAtOnce<Entries, true>(g, k, faces, shape, out);
-  }
-  else if (g.Width[k] * g.Height[k] <= static_cast<int>(hn::Lanes(CoverFloat())))
-  {
-    CoverAtOnce<Entries, false>(g, k, faces, shape, out);
-  }
-  else
-  {
-    CoverInTwoSteps<Entries>(g, k, faces, shape, out);
-  }
+  const int begin = out.Count;
+  out.Count = AppendSpans(g, k, out);
+  out.CountLanes(out.Count - begin, 1, static_cast<int>(hn::Lanes(CoverFloat())), 1);
+  g.Cut[k] != 0 ? CompleteFragments<Entries, 6>(g, k, faces, begin, out.Count, out)
+                : CompleteFragments<Entries, 4>(g, k, faces, begin, out.Count, out);
 }
 
 /// Cells of a group from k on until the queue is full or the group ends; returns the next cell.
 inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
-  const int* ids, int k, int count, const BlockShapes& shapes, std::uint32_t* boxes,
-  TileFragments& out)
+  const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out)
 {
   static const FaceLists lists;
   for (; k < count && out.Count < TileFragments::Full; ++k)
   {
     out.BeginCell(ids[k]);
-    if (group.Exact[k] != 0 || task.AllExact || (task.Cells->Faces[ids[k]] & TileCells::Exact))
+    if (group.Exact[k] != 0)
     {
       // It finds its box itself.
       boxes[k] = TileBox::WholeTile();
@@ -275,18 +228,16 @@ inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const Til
       continue;
     }
     const int set = group.Entries[k];
-    const BlockShapes::Shape& shape = shapes.Choose(group.Width[k], group.Height[k]);
-    out.CountLanes(group.Width[k], group.Height[k], shape.Width, shape.Height);
     switch (lists.Entries[set])
     {
       case 1:
-        CoverCell<1>(group, k, lists.Faces[set], shape, out);
+        CoverCell<1>(group, k, lists.Faces[set], out);
         break;
       case 2:
-        CoverCell<2>(group, k, lists.Faces[set], shape, out);
+        CoverCell<2>(group, k, lists.Faces[set], out);
         break;
       case 3:
-        CoverCell<3>(group, k, lists.Faces[set], shape, out);
+        CoverCell<3>(group, k, lists.Faces[set], out);
         break;
       default:
         // Flattened by rounding: it has no inside.

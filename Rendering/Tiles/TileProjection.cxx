@@ -98,7 +98,6 @@ template <class Flush>
 void CoverTile(
   const TileTask& task, const TileRectangle& tile, TileScratch& scratch, const Flush& flush)
 {
-  static const BlockShapes shapes;
   const SetupBounds bounds(task);
   std::vector<int>& ids = scratch.Drawn;
   scratch.Boxes.resize(ids.size());
@@ -134,8 +133,7 @@ void CoverTile(
     scratch.Clock.Lap(TileStages::SetUp);
     for (int k = 0; k < count;)
     {
-      k = CoverGroup(task, tile, scratch.Group, &ids[at], k, count, shapes, &scratch.Boxes[at],
-        scratch.Fragments);
+      k = CoverGroup(task, tile, scratch.Group, &ids[at], k, count, &scratch.Boxes[at], scratch.Fragments);
       if (scratch.Fragments.Count >= TileFragments::Full)
       {
         handOn();

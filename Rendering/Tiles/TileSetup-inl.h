@@ -8,10 +8,12 @@
 #define TileSetup_inl_h
 #endif
 
+#include "TileCells.h"
 #include "TileCuts-inl.h"
 #include "TileGroup.h"
 #include "TileMesh.h"
 #include "TileRecords-inl.h"
+#include "TileSpans-inl.h"
 #include "TileTask.h"
 #include "TileVertices.h"
 #include "TileView.h"
@@ -267,8 +269,9 @@ inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lan
   const auto tooSteep = SetUpPlanes(c, weights, dx, dy, bounds, steps, lane, group);
   const auto tooFast = SetUpScalar(c, weights, dx, dy, bounds, lane, group);
   const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
-  hn::Store(hn::IfThenElseZero(exact, hn::Set(di, 1)), di, group.Exact + lane);
+  hn::Store(hn::IfThenElse(exact, hn::Set(di, 1), hn::Load(di, group.Exact + lane)), di, group.Exact + lane);
   CutTransparent(task, c, lane, group);
+  task.Transfer->HasTransparent ? FindSpans<8>(group, lane) : FindSpans<4>(group, lane);
 }
 
 inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const SetupBounds& bounds,
@@ -277,10 +280,12 @@ inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const Se
   TileRecords records;
   int ids[TileGroup::Size];
   HWY_ALIGN int steps[TileGroup::Size];
+  const int allExact = task.AllExact ? 1 : 0;
   for (int k = 0; k < TileGroup::Size; ++k)
   {
     ids[k] = cells[std::min(k, count - 1)];
     steps[k] = task.Mesh->Steps[ids[k]];
+    group.Exact[k] = allExact | (task.Cells->Faces[ids[k]] & TileCells::Exact);
   }
   records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
   if (!task.Mesh->CellScalars.empty())

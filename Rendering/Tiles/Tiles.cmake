@@ -102,6 +102,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileSetup-inl.h
   Rendering/Tiles/TileShading-inl.h
   Rendering/Tiles/TileSliver.h
+  Rendering/Tiles/TileSpans-inl.h
   Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
   Rendering/Tiles/TileThinLight-inl.h

@@ -1,0 +1,203 @@
+/**
+ * Spans: the pixels of a row that a cell covers, of sixteen cells one per lane, row after row.
+ *
+ * A ray is inside between its last entry and its first exit; u of both is linear over the screen. What an entry
+ * plane and an exit plane have in common is an edge of the cell's outline, a line that a row crosses at one x.
+ */
+#if defined(TileSpans_inl_h) == defined(HWY_TARGET_TOGGLE)
+#ifdef TileSpans_inl_h
+#undef TileSpans_inl_h
+#else
+#define TileSpans_inl_h
+#endif
+
+#include "TileCells.h"
+#include "TileGroup.h"
+
+#include <hwy/highway.h>
+
+#include <cstdint>
+
+HWY_BEFORE_NAMESPACE();
+namespace CellProjectionTiles
+{
+namespace HWY_NAMESPACE
+{
+namespace hn = hwy::HWY_NAMESPACE;
+
+using SpanFloat = hn::CappedTag<float, TileGroup::Size>;
+using SpanInt = hn::RebindToSigned<SpanFloat>;
+using SpanVector = hn::Vec<SpanFloat>;
+using SpanMask = hn::Mask<SpanFloat>;
+
+/// The planes of a group's lanes from `lane` on.
+struct SpanPlane
+{
+  SpanVector A, B, P;
+
+  /// The first where the mask takes it, else the second.
+  HWY_INLINE SpanPlane(SpanMask takesFirst, const SpanPlane& first, const SpanPlane& second)
+    : A(hn::IfThenElse(takesFirst, first.A, second.A))
+    , B(hn::IfThenElse(takesFirst, first.B, second.B))
+    , P(hn::IfThenElse(takesFirst, first.P, second.P))
+  {
+  }
+  HWY_INLINE SpanPlane(const TileGroup& group, int face, int lane)
+    : A(hn::Load(SpanFloat(), group.A[face] + lane))
+    , B(hn::Load(SpanFloat(), group.B[face] + lane))
+    , P(hn::Load(SpanFloat(), group.P[face] + lane))
+  {
+  }
+};
+
+/// A line over the rows: pixels from a side of the box.
+struct SpanLine
+{
+  SpanVector Slope, Offset;
+
+  HWY_INLINE SpanVector At(SpanVector row) const { return hn::MulAdd(this->Slope, row, this->Offset); }
+};
+
+/// The first line where a mask takes it, the second where another does, else the side of the box itself.
+HWY_INLINE SpanLine Pick(SpanMask takesFirst, const SpanLine& first, SpanMask takesSecond, const SpanLine& second)
+{
+  return { hn::IfThenElse(takesFirst, first.Slope, hn::IfThenElseZero(takesSecond, second.Slope)),
+    hn::IfThenElse(takesFirst, first.Offset, hn::IfThenElseZero(takesSecond, second.Offset)) };
+}
+
+/// An edge of the outline, and which side of the lanes' cells it bounds, if any.
+struct SpanEdge
+{
+  SpanLine FromLeft, FromRight;
+  SpanMask IsLeft, IsRight;
+
+  /// `isEdge`: where one of the planes is an entry and the other an exit; `entersFirst`: where the first is the entry.
+  HWY_INLINE SpanEdge(
+    const SpanPlane& first, const SpanPlane& second, SpanMask isEdge, SpanMask entersFirst, SpanVector last)
+  {
+    const SpanFloat d;
+    const auto a = hn::Sub(first.A, second.A), b = hn::Sub(first.B, second.B), p = hn::Sub(first.P, second.P);
+    // Along a row as good as level: the crossing stays finite, and far from the box.
+    const auto least = hn::MulAdd(hn::Set(d, 1e-9f), hn::Add(hn::Abs(b), hn::Abs(p)), hn::Set(d, 1e-30f));
+    const auto size = hn::CopySign(hn::Max(hn::Abs(a), least), a);
+    const auto inverse = hn::Div(hn::Set(d, 1.0f), size);
+    this->FromRight.Slope = hn::Mul(b, inverse);
+    this->FromRight.Offset = hn::MulAdd(p, inverse, last);
+    this->FromLeft.Slope = hn::Neg(this->FromRight.Slope);
+    this->FromLeft.Offset = hn::Neg(hn::Mul(p, inverse));
+    const auto beginsAt = hn::Xor(hn::Lt(size, hn::Zero(d)), entersFirst);
+    this->IsLeft = hn::And(isEdge, beginsAt);
+    this->IsRight = hn::AndNot(beginsAt, isEdge);
+  }
+};
+
+/// The outline of the lanes' cells.
+template <int Lines>
+struct SpanOutline
+{
+  SpanLine Left[Lines], Right[Lines];
+  /// The width of the box.
+  SpanVector End;
+
+  /// The place of two edges that have no corner in common. Three sides have one of every couple, four have two of two
+  /// couples, of which three at most are on one side: of a second on one side there is one at most, it goes to `spare`.
+  HWY_INLINE void TakeCouple(const SpanEdge& one, const SpanEdge& other, int at, int spare)
+  {
+    this->Left[at] = Pick(one.IsLeft, one.FromLeft, other.IsLeft, other.FromLeft);
+    this->Right[at] = Pick(one.IsRight, one.FromRight, other.IsRight, other.FromRight);
+    const auto areLeft = hn::And(one.IsLeft, other.IsLeft), areRight = hn::And(one.IsRight, other.IsRight);
+    this->Left[spare] = Pick(areLeft, other.FromLeft, hn::Not(areLeft), this->Left[spare]);
+    this->Right[spare] = Pick(areRight, other.FromRight, hn::Not(areRight), this->Right[spare]);
+  }
+  HWY_INLINE void Take(const SpanEdge& edge, int at)
+  {
+    this->Left[at] = Pick(edge.IsLeft, edge.FromLeft, edge.IsLeft, edge.FromLeft);
+    this->Right[at] = Pick(edge.IsRight, edge.FromRight, edge.IsRight, edge.FromRight);
+  }
+
+  /// What a row has: where it begins in the box, and how many pixels; with none it may begin anywhere.
+  HWY_INLINE void FindSpan(SpanVector row, hn::Vec<SpanInt>& first, hn::Vec<SpanInt>& count) const
+  {
+    const SpanFloat d;
+    const SpanInt di;
+    auto left = hn::Zero(d), right = hn::Zero(d);
+    for (int i = 0; i < Lines; ++i)
+    {
+      left = hn::Max(left, this->Left[i].At(row));
+      right = hn::Max(right, this->Right[i].At(row));
+    }
+    const auto begin = hn::Ceil(left);
+    first = hn::ConvertTo(di, begin);
+    count = hn::ConvertTo(di, hn::Max(hn::Sub(hn::Floor(hn::Sub(this->End, right)), begin), hn::Zero(d)));
+  }
+};
+
+HWY_INLINE SpanMask EntersThrough(const TileGroup& group, int face, int lane)
+{
+  const SpanInt di;
+  const auto bit = hn::Set(di, 1 << face);
+  const auto entries = hn::Load(di, group.Entries + lane);
+  return hn::RebindMask(SpanFloat(), hn::Eq(hn::And(entries, bit), bit));
+}
+
+/// Between faces, then, of more than four lines, between faces and cuts.
+template <int Lines>
+HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines>& outline)
+{
+  const SpanFloat d;
+  const SpanInt di;
+  outline.End = hn::ConvertTo(d, hn::Load(di, group.Width + lane));
+  const auto last = hn::Sub(outline.End, hn::Set(d, 1.0f));
+  outline.Left[3] = outline.Right[3] = { hn::Zero(d), hn::Zero(d) };
+  auto edge = [&](int i, int j)
+  {
+    const auto enters = EntersThrough(group, i, lane);
+    return SpanEdge(SpanPlane(group, i, lane), SpanPlane(group, j, lane),
+      hn::Xor(enters, EntersThrough(group, j, lane)), enters, last);
+  };
+  outline.TakeCouple(edge(0, 1), edge(2, 3), 0, 3);
+  outline.TakeCouple(edge(0, 2), edge(1, 3), 1, 3);
+  outline.TakeCouple(edge(0, 3), edge(1, 2), 2, 3);
+  if constexpr (Lines > 4)
+  {
+    const auto isCut = hn::RebindMask(d, hn::Ne(hn::Load(di, group.Cut + lane), hn::Zero(di)));
+    const SpanPlane cutEntry(group, TileGroup::CutEntry, lane), cutExit(group, TileGroup::CutExit, lane);
+    for (int i = 0; i < 4; ++i)
+    {
+      const auto enters = EntersThrough(group, i, lane);
+      const SpanPlane cut(enters, cutExit, cutEntry);
+      outline.Take(SpanEdge(SpanPlane(group, i, lane), cut, isCut, enters, last), 4 + i);
+    }
+  }
+}
+
+/// The spans of a group's lanes from `lane` on; of cells that are not drawn so they mean nothing. Rows behind a cell's
+/// last one are empty.
+template <int Lines>
+HWY_INLINE void FindSpans(TileGroup& group, int lane)
+{
+  const SpanFloat d;
+  const SpanInt di;
+  SpanOutline<Lines> outline;
+  BuildOutline(group, lane, outline);
+  auto rowsLeft = hn::Load(di, group.Height + lane);
+  const int rows = hn::GetLane(hn::MaxOfLanes(di, rowsLeft));
+  auto corner = hn::Add(hn::Load(di, group.Left + lane),
+    hn::ShiftLeft<TileSize::Shift>(hn::Load(di, group.Bottom + lane)));
+  // To the end of the last step of rows, see StoreRows.
+  for (int row = 0; row < rows + TileGroup::RowStep - 1; ++row)
+  {
+    hn::Vec<SpanInt> first, count;
+    outline.FindSpan(hn::Set(d, static_cast<float>(row)), first, count);
+    count = hn::IfThenElseZero(hn::Gt(rowsLeft, hn::Zero(di)), count);
+    hn::Store(hn::Add(corner, first), di, group.SpanStart[row] + lane);
+    hn::Store(count, di, group.SpanCount[row] + lane);
+    corner = hn::Add(corner, hn::Set(di, TileSize::Pixels));
+    rowsLeft = hn::Sub(rowsLeft, hn::Set(di, 1));
+  }
+}
+}
+}
+HWY_AFTER_NAMESPACE();
+
+#endif
