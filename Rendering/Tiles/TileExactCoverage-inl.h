@@ -10,6 +10,7 @@
 
 #include "TileCells.h"
 #include "TileExactCell.h"
+#include "TileExactRows.h"
 #include "TileFragments.h"
 #include "TileMath-inl.h"
 #include "TilePacking-inl.h"
@@ -92,14 +93,17 @@ inline void CoverExactCell(
   const int lanes = static_cast<int>(hn::Lanes(d));
   const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
   const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
-  out.CountLanes(lastX - firstX + 1, lastY - firstY + 1, lanes, 1);
+  const TileExactRows rows(cell, *task.View);
   for (int y = firstY; y <= lastY; ++y)
   {
-    for (int left = firstX; left <= lastX; left += lanes)
+    int begin = firstX, end = lastX;
+    rows.Narrow(y, begin, end);
+    out.CountLanes(end - begin + 1, 1, lanes, 1);
+    for (int left = begin; left <= end; left += lanes)
     {
       const auto x = Ramp(d, static_cast<double>(left));
       ExactVector entry, exit;
-      const auto inRow = hn::FirstN(d, static_cast<std::size_t>(lastX - left + 1));
+      const auto inRow = hn::FirstN(d, static_cast<std::size_t>(end - left + 1));
       const auto covered =
         hn::And(inRow, CoverExactLanes(cell, *task.View, x, y, entry, exit));
       if (!hn::AllFalse(d, covered))

@@ -19,6 +19,7 @@ list(APPEND sources
   Rendering/Tiles/TileClusters.cxx
   Rendering/Tiles/TileEntries.cxx
   Rendering/Tiles/TileExactCell.cxx
+  Rendering/Tiles/TileExactRows.cxx
   Rendering/Tiles/TileLighting.cxx
   Rendering/Tiles/TileLimits.cxx
   Rendering/Tiles/TileLitShading.cxx
@@ -70,6 +71,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileCuts-inl.h
   Rendering/Tiles/TileEntries.h
   Rendering/Tiles/TileExactCell.h
+  Rendering/Tiles/TileExactRows.h
   Rendering/Tiles/TileExactCoverage-inl.h
   Rendering/Tiles/TileFirstPieces-inl.h
   Rendering/Tiles/TileFragments.h
