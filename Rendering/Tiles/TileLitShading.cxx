@@ -23,11 +23,8 @@ TileShadeCount ShadeLit(const TileTask& task, const TileRectangle& tile, TileFra
   {
     return TileLitShader<MemoryLookUp, true>(task, tile).Shade(fragments, remainders);
   }
-  if (FitsRegisters(*task.Transfer))
-  {
-    return TileLitShader<RegisterLookUp, false>(task, tile).Shade(fragments, remainders);
-  }
-  return TileLitShader<MemoryLookUp, false>(task, tile).Shade(fragments, remainders);
+  return WithLookUp(*task.Transfer, [&](auto values)
+    { return TileLitShader<decltype(values), false>(task, tile).Shade(fragments, remainders); });
 }
 }
 }

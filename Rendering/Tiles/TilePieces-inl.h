@@ -41,6 +41,22 @@ struct RegisterLookUp
   }
 };
 
+/// The same for a function of no more pieces than two vectors have lanes.
+struct TwoRegistersLookUp
+{
+  HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
+  {
+    const ShadeFloat d;
+    const ShadeInt di;
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
+    const auto last = hn::Set(di, lanes - 1);
+    const auto lane = hn::IndicesFromVec(d, hn::And(index, last));
+    const auto low = hn::TableLookupLanes(hn::LoadU(d, table), lane);
+    const auto high = hn::TableLookupLanes(hn::LoadU(d, table + lanes), lane);
+    return hn::IfThenElse(hn::RebindMask(d, hn::Gt(index, last)), high, low);
+  }
+};
+
 /// The same in memory, for any function.
 struct MemoryLookUp
 {
@@ -87,8 +103,36 @@ HWY_INLINE bool FitsRegisters(const Table& table)
   return table.NumberOfPieces < static_cast<int>(hn::Lanes(ShadeFloat()));
 }
 
+/// Calls a function with the look-ups that suit a table.
+template <class Table, class Function>
+HWY_INLINE auto WithLookUp(const Table& table, const Function& function)
+{
+  if (FitsRegisters(table))
+  {
+    return function(RegisterLookUp());
+  }
+  // Gathering is slow.
+  if (table.NumberOfPieces < 2 * static_cast<int>(hn::Lanes(ShadeFloat())))
+  {
+    return function(TwoRegistersLookUp());
+  }
+  return function(MemoryLookUp());
+}
+
 /// Up to as many pieces a count takes fewer operations than a search.
-constexpr int FewPieces = 6;
+constexpr int FewPieces = hn::MaxLanes(ShadeFloat()) < 16 ? 14 : 6;
+
+/// One more where the mask is set.
+HWY_INLINE ShadeIndex IncrementWhere(hn::Mask<ShadeInt> mask, ShadeIndex number)
+{
+  const ShadeInt di;
+#if HWY_TARGET <= HWY_AVX3
+  return hn::IfThenElse(mask, hn::Add(number, hn::Set(di, 1)), number);
+#else
+  // There a mask is -1 in a vector.
+  return hn::Sub(number, hn::VecFromMask(di, mask));
+#endif
+}
 
 /// The piece of a table (TileTransfer, EmissionTable) that a scalar lies in.
 template <class LookUp, class Table>
@@ -102,8 +146,7 @@ HWY_INLINE ShadeIndex PieceOf(const LookUp& values, const Table& table, ShadeVec
     for (int i = 1; i < table.NumberOfPieces; ++i)
     {
       const auto reached = hn::Le(hn::Set(ShadeFloat(), table.Bounds[i]), scalar);
-      const auto next = hn::Add(piece, hn::Set(di, 1));
-      piece = hn::IfThenElse(hn::RebindMask(di, reached), next, piece);
+      piece = IncrementWhere(hn::RebindMask(di, reached), piece);
     }
     return piece;
   }

@@ -333,11 +333,8 @@ private:
 inline TileShadeCount ShadeFragments(const TileTask& task, const TileRectangle& tile,
   TileFragments& fragments, TileRemainders (&remainders)[2])
 {
-  if (FitsRegisters(*task.Transfer))
-  {
-    return TileShader<RegisterLookUp>(task, tile).Shade(fragments, remainders);
-  }
-  return TileShader<MemoryLookUp>(task, tile).Shade(fragments, remainders);
+  return WithLookUp(*task.Transfer,
+    [&](auto values) { return TileShader<decltype(values)>(task, tile).Shade(fragments, remainders); });
 }
 }
 }

@@ -9,6 +9,7 @@
 
 #include "TileMath-inl.h"
 #include "TilePacking-inl.h"
+#include "TilePieces-inl.h"
 
 #ifndef TestTilesMath_Errors
 #define TestTilesMath_Errors
@@ -21,6 +22,9 @@ struct TilesMathErrors
   double ThinMean = 0.0;
   /// Lanes that were not packed where they belong.
   int Packed = 0;
+  /// Look-ups that found what belongs to another piece, and pieces that were not found.
+  int LookedUp = 0;
+  int Pieces = 0;
   double Root = 0.0;
   /// Of the mean of the place less 1/2, its square and its cube.
   double Nodes[3] = { 0.0, 0.0, 0.0 };
@@ -33,6 +37,7 @@ double MeanOfAbsorption(double depth, double lean, double from = 0.0, int power 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -92,6 +97,61 @@ void CheckPacking(TilesMathErrors& errors)
   }
 }
 
+struct PieceTable
+{
+  int NumberOfPieces = 0, SearchSteps = 0;
+  std::vector<float> Bounds, Numbers;
+};
+
+// Piece i begins at i.
+PieceTable TableOf(int pieces)
+{
+  PieceTable table;
+  table.NumberOfPieces = pieces;
+  table.Bounds.assign(64, 3e38f);
+  for (int i = 0; i <= pieces; ++i)
+  {
+    table.Numbers.push_back(static_cast<float>(i));
+  }
+  std::copy_n(table.Numbers.begin(), pieces, table.Bounds.begin());
+  table.Numbers.resize(64);
+  while (1 << table.SearchSteps < pieces)
+  {
+    ++table.SearchSteps;
+  }
+  return table;
+}
+
+// A look-up of a place gives its number.
+void CheckLookUps(int pieces, TilesMathErrors& errors)
+{
+  const ShadeFloat d;
+  const ShadeInt di;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  const PieceTable table = TableOf(pieces);
+  for (int i = 0; i <= pieces; ++i)
+  {
+    HWY_ALIGN int index[16], piece[16];
+    HWY_ALIGN float scalar[16], value[16];
+    for (int k = 0; k < lanes; ++k)
+    {
+      index[k] = (i + k) % (pieces + 1);
+      scalar[k] = static_cast<float>(index[k]) + (k % 2 == 0 ? 0.0f : 0.5f);
+    }
+    WithLookUp(table,
+      [&](auto values)
+      {
+        hn::Store(values(table.Numbers.data(), hn::Load(di, index)), d, value);
+        hn::Store(PieceOf(values, table, hn::Load(d, scalar)), di, piece);
+      });
+    for (int k = 0; k < lanes; ++k)
+    {
+      errors.LookedUp += value[k] != static_cast<float>(index[k]) ? 1 : 0;
+      errors.Pieces += piece[k] != std::min(index[k], pieces - 1) ? 1 : 0;
+    }
+  }
+}
+
 void MeasureNodes(float depth, float lean, TilesMathErrors& errors)
 {
   const hn::CappedTag<float, 1> d;
@@ -113,6 +173,10 @@ void MeasureNodes(float depth, float lean, TilesMathErrors& errors)
 void MeasureErrors(TilesMathErrors& errors)
 {
   CheckPacking(errors);
+  for (int pieces = 1; pieces <= 40; ++pieces)
+  {
+    CheckLookUps(pieces, errors);
+  }
   const hn::CappedTag<float, 1> d;
   auto valueOf = [](auto vector) { return static_cast<double>(hn::GetLane(vector)); };
   for (int i = 1; i <= 1000; ++i)
@@ -183,6 +247,8 @@ int TestTilesMath(int, char*[])
     CHECK_AT_MOST(errors.ThinAbsorption, 4e-7);
     CHECK_AT_MOST(errors.ThinMean, 3e-5);
     CHECK(errors.Packed == 0);
+    CHECK(errors.LookedUp == 0);
+    CHECK(errors.Pieces == 0);
     CHECK_AT_MOST(errors.Root, 1e-6);
     CHECK_AT_MOST(errors.Nodes[0], 3e-5);
     CHECK_AT_MOST(errors.Nodes[1], 5e-3);
