@@ -46,27 +46,28 @@ public:
   {
     const glm::dvec3 first =
       view.Ray[0] + double(tile.Left) * view.Ray[1] + double(tile.Bottom) * view.Ray[2];
-    this->Terms[0] = static_cast<float>(glm::dot(first, first));
-    this->Terms[1] = static_cast<float>(2.0 * glm::dot(first, view.Ray[1]));
-    this->Terms[2] = static_cast<float>(2.0 * glm::dot(first, view.Ray[2]));
-    this->Terms[3] = static_cast<float>(glm::dot(view.Ray[1], view.Ray[1]));
-    this->Terms[4] = static_cast<float>(2.0 * glm::dot(view.Ray[1], view.Ray[2]));
-    this->Terms[5] = static_cast<float>(glm::dot(view.Ray[2], view.Ray[2]));
+    const double terms[6] = { glm::dot(first, first), 2.0 * glm::dot(first, view.Ray[1]),
+      2.0 * glm::dot(first, view.Ray[2]), glm::dot(view.Ray[1], view.Ray[1]),
+      2.0 * glm::dot(view.Ray[1], view.Ray[2]), glm::dot(view.Ray[2], view.Ray[2]) };
+    for (int i = 0; i < 6; ++i)
+    {
+      this->Terms[i] = hn::Set(ShadeFloat(), static_cast<float>(terms[i]));
+    }
   }
 
   HWY_INLINE ShadeVector At(ShadeIndex pixel) const
   {
-    const ShadeFloat d;
+    const ShadeVector(&t)[6] = this->Terms;
     const PixelPlaces places(pixel);
     const auto x = places.X, y = places.Y;
-    const auto perX = hn::MulAdd(this->Term(3), x, hn::MulAdd(this->Term(4), y, this->Term(1)));
-    const auto perY = hn::MulAdd(this->Term(5), y, this->Term(2));
-    return hn::Sqrt(hn::MulAdd(perX, x, hn::MulAdd(perY, y, this->Term(0))));
+    const auto perX = hn::MulAdd(t[3], x, hn::MulAdd(t[4], y, t[1]));
+    const auto perY = hn::MulAdd(t[5], y, t[2]);
+    return hn::Sqrt(hn::MulAdd(perX, x, hn::MulAdd(perY, y, t[0])));
   }
 
 private:
-  HWY_INLINE ShadeVector Term(int i) const { return hn::Set(ShadeFloat(), this->Terms[i]); }
-  float Terms[6];
+  // Vectors: to spread a number takes an instruction each time where registers are few.
+  ShadeVector Terms[6];
 };
 
 /// Pieces about to be shaded, one per lane, and the first part of each.
@@ -87,8 +88,8 @@ public:
   TileShader(const TileTask& task, const TileRectangle& tile)
     : Transfer(*task.Transfer)
     , Lengths(*task.View, tile)
-    , WeightScale(static_cast<float>(task.View->WeightScale))
-    , WeightOffset(static_cast<float>(task.View->WeightOffset))
+    , WeightScale(hn::Set(ShadeFloat(), static_cast<float>(task.View->WeightScale)))
+    , WeightOffset(hn::Set(ShadeFloat(), static_cast<float>(task.View->WeightOffset)))
   {
   }
 
@@ -209,42 +210,57 @@ private:
 
   HWY_INLINE void FindCourse(const TileFragments& q, int at, ShadeCourse& course) const
   {
-    const ShadeFloat d;
     const ShadeInt di;
-    const FragmentEnds ends(
-      q, at, hn::Set(d, this->WeightScale), hn::Set(d, this->WeightOffset));
+    const FragmentEnds ends(q, at, this->WeightScale, this->WeightOffset);
     course.Length = hn::Mul(ends.Depth(), this->Lengths.At(hn::Load(di, q.Pixel + at)));
     course.First = ends.First(q.ScalarIn + at);
     course.Last = ends.Last(q.ScalarOut + at);
   }
 
+  /// Vectors that are not thin and wait to be shaded together.
+  struct Others
+  {
+    int Count = 0;
+    int At[Batch];
+    ShadeCourse Courses[Batch];
+  };
+
   /// Vectors of thin fragments in one piece are coloured at once, the others by parts.
   void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
-    const ShadeFloat d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
+    const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
     q.FillLastVector();
     ThinPiece thin(this->Transfer);
-    bool areThin = true;
-    ShadeCourse courses[Batch];
-    for (int begin = 0; begin < q.Count; begin += Batch * lanes)
+    Others others;
+    ShadeCourse next;
+    this->FindCourse(q, 0, next);
+    const int last = std::max(q.Count - 1, 0) / lanes * lanes;
+    // Where few are thin, the next ones are not tried.
+    int tries = 2 * Batch;
+    for (int at = 0; at < q.Count; at += lanes)
     {
-      const int count = (std::min(q.Count - begin, Batch * lanes) + lanes - 1) / lanes;
-      for (int i = 0; i < count; ++i)
+      // One vector ahead: its division and root take long.
+      const ShadeCourse course = next;
+      this->FindCourse(q, std::min(at + lanes, last), next);
+      if (tries > 0 && ColorThin(course, thin, at, q))
       {
-        this->FindCourse(q, begin + i * lanes, courses[i]);
+        tries = std::min(tries + 1, 2 * Batch);
+        continue;
       }
-      int others[Batch], left = 0;
-      for (int i = 0; i < count; ++i)
-      {
-        if (!areThin || !ColorThin(courses[i], thin, begin + i * lanes, q))
-        {
-          others[left++] = i;
-        }
-      }
-      // Where few are thin, the next ones are not tried.
-      areThin = areThin && 2 * left <= count;
-      this->ShadeByParts(courses, others, left, begin, q, rest);
+      --tries;
+      this->ShadeLater(course, at, others, q, rest);
+    }
+    this->ShadeByParts(others, q, rest);
+  }
+
+  HWY_INLINE void ShadeLater(
+    const ShadeCourse& course, int at, Others& others, TileFragments& q, TileRemainders& rest) const
+  {
+    others.At[others.Count] = at;
+    others.Courses[others.Count] = course;
+    if (++others.Count == Batch)
+    {
+      this->ShadeByParts(others, q, rest);
     }
   }
 
@@ -262,31 +278,30 @@ private:
     return true;
   }
 
-  /// Shades the first parts of the `count` courses that are named, step after step.
-  void ShadeByParts(const ShadeCourse (&courses)[Batch], const int* named, int count, int begin,
-    TileFragments& q, TileRemainders& rest) const
+  /// Shades the first parts of what waits, step after step.
+  HWY_NOINLINE void ShadeByParts(Others& others, TileFragments& q, TileRemainders& rest) const
   {
     const ShadeFloat d;
-    const int lanes = static_cast<int>(hn::Lanes(d));
     ShadePieces work[Batch];
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < others.Count; ++i)
     {
-      const int at = begin + named[i] * lanes;
+      const int at = others.At[i];
       ShadePieces& p = work[i];
-      p.First = courses[named[i]].First;
-      p.Last = courses[named[i]].Last;
-      p.Length = courses[named[i]].Length;
+      p.First = others.Courses[i].First;
+      p.Last = others.Courses[i].Last;
+      p.Length = others.Courses[i].Length;
       p.Through = hn::Set(d, 1.0f);
       p.Piece = PieceOf(this->Values, this->Transfer, p.First);
       p.Fragment = Ramp(ShadeInt(), at);
       this->CutFirstPart(hn::FirstN(d, static_cast<std::size_t>(q.Count - at)), p);
     }
-    for (int i = 0; i < count; ++i)
+    for (int i = 0; i < others.Count; ++i)
     {
       ShadeVector color[4];
       this->ColorPart(work[i], rest, color);
-      StoreColors(color, begin + named[i] * lanes, q);
+      StoreColors(color, others.At[i], q);
     }
+    others.Count = 0;
   }
 
   HWY_INLINE void CutFirstPart(ShadeMask used, ShadePieces& p) const
@@ -327,7 +342,7 @@ private:
   const LookUp Values{};
   const TileTransfer& Transfer;
   const RayLengths Lengths;
-  const float WeightScale, WeightOffset;
+  const ShadeVector WeightScale, WeightOffset;
 };
 
 inline TileShadeCount ShadeFragments(const TileTask& task, const TileRectangle& tile,

@@ -47,11 +47,11 @@ public:
     const ShadeFloat d;
     const auto first = course.First, last = course.Last, length = course.Length;
     const auto rise = hn::Sub(last, first);
-    const auto perScalar = hn::Set(d, this->HalfSlope);
-    const auto middle = hn::MulAdd(perScalar, hn::Add(first, last), hn::Set(d, this->Offset));
+    const auto perScalar = this->HalfSlope;
+    const auto middle = hn::MulAdd(perScalar, hn::Add(first, last), this->Offset);
     const auto depth = hn::Mul(middle, length);
-    const auto below = hn::Sub(hn::Set(d, this->Low), hn::Min(first, last));
-    const auto above = hn::Sub(hn::Max(first, last), hn::Set(d, this->High));
+    const auto below = hn::Sub(this->Low, hn::Min(first, last));
+    const auto above = hn::Sub(hn::Max(first, last), this->High);
     // The depth last: where a scalar is not a number neither is it.
     const auto beyond =
       hn::Max(hn::Max(below, above), hn::Sub(depth, hn::Set(d, DeepestThin)));
@@ -64,8 +64,8 @@ public:
     const auto moment = hn::MulAdd(absorbed.Moment, rise, hn::Mul(absorbed.Alpha, first));
     for (int k = 0; k < 3; ++k)
     {
-      color[k] = hn::MulAdd(hn::Set(d, this->ColorSlopes[k]), moment,
-        hn::Mul(hn::Set(d, this->ColorOffsets[k]), absorbed.Alpha));
+      color[k] = hn::MulAdd(this->ColorSlopes[k], moment,
+        hn::Mul(this->ColorOffsets[k], absorbed.Alpha));
     }
     color[3] = hn::Neg(absorbed.Alpha);
     return true;
@@ -83,25 +83,27 @@ public:
 private:
   void Take(int piece)
   {
+    const ShadeFloat d;
     const TileTransfer& t = this->Transfer;
     this->Piece = piece;
-    this->Low = t.Bounds[piece];
-    this->High = t.Bounds[piece + 1];
-    this->HalfSlope = 0.5f * t.Slopes[3][piece];
-    this->Offset = t.Offsets[3][piece];
+    this->Low = hn::Set(d, t.Bounds[piece]);
+    this->High = hn::Set(d, t.Bounds[piece + 1]);
+    this->HalfSlope = hn::Set(d, 0.5f * t.Slopes[3][piece]);
+    this->Offset = hn::Set(d, t.Offsets[3][piece]);
     for (int k = 0; k < 3; ++k)
     {
-      this->ColorSlopes[k] = t.Slopes[k][piece];
-      this->ColorOffsets[k] = t.Offsets[k][piece];
+      this->ColorSlopes[k] = hn::Set(d, t.Slopes[k][piece]);
+      this->ColorOffsets[k] = hn::Set(d, t.Offsets[k][piece]);
     }
   }
 
   const TileTransfer& Transfer;
   int Piece = 0;
-  float Low, High;
+  // Vectors: to spread a number takes an instruction each time where registers are few.
+  ShadeVector Low, High;
   // Of extinction over the scalar.
-  float HalfSlope, Offset;
-  float ColorSlopes[3], ColorOffsets[3];
+  ShadeVector HalfSlope, Offset;
+  ShadeVector ColorSlopes[3], ColorOffsets[3];
 };
 }
 }
