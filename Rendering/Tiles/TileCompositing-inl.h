@@ -35,6 +35,68 @@ HWY_INLINE void BlendFragment(TileBuffer::Pixel& pixel, const float* color)
   }
 }
 
+#if HWY_TARGET <= HWY_AVX2
+/// Whether one of four fragments and one of the four behind them lie in the same pixel.
+HWY_INLINE bool ShareAnyPixel(const int* pixels)
+{
+  const hn::CappedTag<int, 4> d;
+  const auto first = hn::Load(d, pixels), last = hn::Load(d, pixels + 4);
+  const auto even = hn::Or(hn::Eq(first, last), hn::Eq(first, hn::Shuffle1032(last)));
+  const auto odd = hn::Or(
+    hn::Eq(first, hn::Shuffle0321(last)), hn::Eq(first, hn::Shuffle2103(last)));
+  return !hn::AllFalse(d, hn::Or(even, odd));
+}
+
+/// Fragments of two pixels at once. Each is loaded and stored alone, as the next cell may pair it otherwise: a load of
+/// what two stores wrote waits for both.
+HWY_INLINE void BlendPair(TileBuffer::Pixel& first, TileBuffer::Pixel& second, const float* colors)
+{
+  const hn::CappedTag<float, 4> half;
+  const hn::CappedTag<float, 8> d;
+  const auto under = hn::Combine(d, hn::Load(half, &second.Red), hn::Load(half, &first.Red));
+  const auto sum = hn::MulAdd(hn::Load(d, colors), hn::Broadcast<3>(under), under);
+  hn::Store(hn::LowerHalf(half, sum), half, &first.Red);
+  hn::Store(hn::UpperHalf(half, sum), half, &second.Red);
+}
+
+/// Blends the eight fragments from `begin` of the vector at `at`, unless two lie in one pixel and would change places.
+HWY_INLINE bool BlendEight(const TileFragments& q, int at, int begin, TileBuffer& tile)
+{
+  const int* pixels = q.Pixel + at + begin;
+  if (ShareAnyPixel(pixels))
+  {
+    return false;
+  }
+  for (int k = 0; k < 4; ++k)
+  {
+    // In slots a fragment and the fourth behind it are neighbours.
+    BlendPair(
+      tile.Pixels[pixels[k]], tile.Pixels[pixels[k + 4]], q.Slots[at + ColorSlot(begin + k)]);
+  }
+  return true;
+}
+#endif
+
+/// Blends a full vector.
+HWY_INLINE void BlendVector(const TileFragments& q, int at, TileBuffer& tile)
+{
+  constexpr int lanes = static_cast<int>(hn::MaxLanes(ColorFloat()));
+  constexpr int step = lanes < 8 ? lanes : 8;
+  for (int begin = 0; begin < lanes; begin += step)
+  {
+#if HWY_TARGET <= HWY_AVX2
+    if (BlendEight(q, at, begin, tile))
+    {
+      continue;
+    }
+#endif
+    for (int k = begin; k < begin + step; ++k)
+    {
+      BlendFragment(tile.Pixels[q.Pixel[at + k]], q.Slots[at + ColorSlot(k)]);
+    }
+  }
+}
+
 /// A piece that begins nearer than the last one ended proves the order wrong in its pixel.
 /// `lastExits`: of the pixels of the fragments from `at` on.
 HWY_INLINE void ProveFragments(
@@ -61,7 +123,7 @@ HWY_INLINE void ProveFragments(
   }
 }
 
-/// The fragments of a vector from `at` on, `Count` of them or what there is.
+/// The fragments of a vector from `at` on, `count` of them, with their proof where wanted.
 template <bool Prove, class Number>
 HWY_INLINE void CompositeVector(
   const TileFragments& q, int at, Number count, float tolerance, TileBuffer& tile)
@@ -97,7 +159,14 @@ void CompositeFragments(const TileFragments& q, float tolerance, TileBuffer& til
   int at = 0;
   for (; at + lanes <= q.Count; at += lanes)
   {
-    CompositeVector<Prove>(q, at, std::integral_constant<int, lanes>(), tolerance, tile);
+    if constexpr (Prove)
+    {
+      CompositeVector<true>(q, at, std::integral_constant<int, lanes>(), tolerance, tile);
+    }
+    else
+    {
+      BlendVector(q, at, tile);
+    }
   }
   if (at < q.Count)
   {

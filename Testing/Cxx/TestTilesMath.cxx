@@ -7,6 +7,7 @@
 
 #include <hwy/highway.h>
 
+#include "TileCompositing-inl.h"
 #include "TileMath-inl.h"
 #include "TilePacking-inl.h"
 #include "TilePieces-inl.h"
@@ -26,6 +27,8 @@ struct TilesMathErrors
   int LookedUp = 0;
   int Pieces = 0;
   double Root = 0.0;
+  /// Of a pixel.
+  double Blended = 0.0;
   /// Of the mean of the place less 1/2, its square and its cube.
   double Nodes[3] = { 0.0, 0.0, 0.0 };
 };
@@ -37,6 +40,7 @@ double MeanOfAbsorption(double depth, double lean, double from = 0.0, int power 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 HWY_BEFORE_NAMESPACE();
@@ -170,8 +174,42 @@ void MeasureNodes(float depth, float lean, TilesMathErrors& errors)
   }
 }
 
+// Few pixels, so that many fragments of a vector lie in the same ones: each goes under those before it.
+void MeasureBlending(TilesMathErrors& errors)
+{
+  constexpr int Pixels = 20;
+  const auto q = std::make_unique<TileFragments>();
+  const auto tile = std::make_unique<TileBuffer>();
+  double blended[Pixels][4] = {};
+  unsigned int random = 1;
+  q->Count = 1003;
+  for (int k = 0; k < q->Count; ++k)
+  {
+    random = random * 1664525u + 1013904223u;
+    q->Pixel[k] = static_cast<int>(random >> 8) % Pixels;
+    double(&pixel)[4] = blended[q->Pixel[k]];
+    const double through = 1.0 - pixel[3], alpha = 0.001 * static_cast<double>(k % 100);
+    for (int i = 0; i < 4; ++i)
+    {
+      const double color = i == 3 ? alpha : alpha * static_cast<double>((k + i) % 7);
+      q->Slots[ColorSlot(k)][i] = static_cast<float>(i == 3 ? -alpha : color);
+      pixel[i] += through * color;
+    }
+  }
+  tile->Clear(false);
+  CompositeFragments<false>(*q, 0.0f, *tile);
+  for (int k = 0; k < Pixels; ++k)
+  {
+    const TileBuffer::Pixel& pixel = tile->Pixels[k];
+    errors.Blended = std::max({ errors.Blended, std::abs(pixel.Red - blended[k][0]),
+      std::abs(pixel.Green - blended[k][1]), std::abs(pixel.Blue - blended[k][2]),
+      std::abs(1.0 - pixel.Through - blended[k][3]) });
+  }
+}
+
 void MeasureErrors(TilesMathErrors& errors)
 {
+  MeasureBlending(errors);
   CheckPacking(errors);
   for (int pieces = 1; pieces <= 40; ++pieces)
   {
@@ -247,6 +285,7 @@ int TestTilesMath(int, char*[])
     CHECK_AT_MOST(errors.ThinAbsorption, 4e-7);
     CHECK_AT_MOST(errors.ThinMean, 3e-5);
     CHECK(errors.Packed == 0);
+    CHECK_AT_MOST(errors.Blended, 1e-5);
     CHECK(errors.LookedUp == 0);
     CHECK(errors.Pieces == 0);
     CHECK_AT_MOST(errors.Root, 1e-6);
