@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <vector>
 
 class vtkRenderer;
@@ -42,6 +43,11 @@ struct CellProjectionFrame
   bool UsesTiles = false;
   /// For Tiles: window depths of the image's pixels, row by row; null where nothing opaque is there.
   const float* OpaqueDepths = nullptr;
+  /// For Tiles: asked by the thread that draws the frame while others are at its tiles; true where those are
+  /// to be given up, because something opaque is there. Empty where there is nothing to ask.
+  std::function<bool()> FindsOpaque;
+  /// Whether the window's colours were read for what Tiles drew to be laid over.
+  bool HoldsColors = false;
   /// What Tiles drew: premultiplied RGBA of the viewport's size, row by row; null where Raster draws.
   const float* Pixels = nullptr;
   FrameStatistics Statistics;

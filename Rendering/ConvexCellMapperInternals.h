@@ -83,6 +83,8 @@ public:
   std::vector<float> OpaqueDepths;
   FloatTarget Target;
   WindowPixels Pixels;
+  // Whether the last frame of Tiles had something opaque before or in it.
+  bool HadOpaque = false;
   CoarseImage Coarse;
   ImageSampling Sampling;
   vtkWeakPointer<vtkOpenGLRenderWindow> Window;

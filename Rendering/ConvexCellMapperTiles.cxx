@@ -11,6 +11,7 @@
 #include CELLPROJECTION_OPENGL_HEADER
 
 #include <cmath>
+#include <utility>
 
 //------------------------------------------------------------------------------
 void vtkConvexCellMapper::ChooseEngine(CellProjectionFrame& frame)
@@ -43,21 +44,61 @@ double vtkConvexCellMapper::ChooseImageSampleDistance(CellProjectionFrame& frame
 }
 
 //------------------------------------------------------------------------------
-void vtkConvexCellMapper::ReadOpaqueDepth(CellProjectionFrame& frame)
+bool vtkConvexCellMapper::FindOpaque(CellProjectionFrame& frame)
+{
+  const int around = static_cast<int>(std::ceil(frame.Statistics.ImageSampleDistance));
+  const bool isRead =
+    this->Internal->Depth.Read(frame.Window, frame.Origin, frame.GetWidenedBox(around));
+  this->WarnOnce(MapperMessages::UnreadableDepth(isRead));
+  return !this->Internal->Depth.GetPixels().AreClear();
+}
+
+//------------------------------------------------------------------------------
+void vtkConvexCellMapper::TakeOpaqueDepth(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
-  const double distance = frame.Statistics.ImageSampleDistance;
-  const bool isRead = internal.Depth.Read(
-    frame.Window, frame.Origin, frame.GetWidenedBox(static_cast<int>(std::ceil(distance))));
-  this->WarnOnce(MapperMessages::UnreadableDepth(isRead));
-  const DepthPixels& pixels = internal.Depth.GetPixels();
-  if (pixels.AreClear())
+  internal.Depth.GetPixels().Expand(frame.Size[0], frame.Size[1], internal.OpaqueDepths);
+  frame.OpaqueDepths = frame.Statistics.ImageSampleDistance > 1.0
+    ? internal.Coarse.ReduceDepths(internal.OpaqueDepths).data()
+    : internal.OpaqueDepths.data();
+}
+
+//------------------------------------------------------------------------------
+bool vtkConvexCellMapper::LookAtWindow(CellProjectionFrame& frame)
+{
+  Internals& internal = *this->Internal;
+  frame.ReturnToWindow();
+  frame.HoldsColors = !this->CaptureImage && EngineChoice::IsSoftware() &&
+                      internal.Pixels.Read(frame.Window, frame.Origin, frame.Box);
+  internal.HadOpaque = this->FindOpaque(frame);
+  return internal.HadOpaque;
+}
+
+//------------------------------------------------------------------------------
+const float* vtkConvexCellMapper::DrawTilesAsSeen(CellProjectionFrame& frame)
+{
+  const FrameStatistics before = frame.Statistics;
+  bool hasLooked = false, isOpaque = false;
+  auto look = [&]
   {
-    return;
+    isOpaque = std::exchange(hasLooked, true) ? isOpaque : this->LookAtWindow(frame);
+    return isOpaque;
+  };
+  // Most scenes have nothing opaque, and tiles need not wait for the window's pixels then.
+  if (!this->Internal->HadOpaque || !look())
+  {
+    frame.FindsOpaque = look;
+    const float* image = this->DrawTiles(frame);
+    frame.FindsOpaque = nullptr;
+    const bool isDone = image ? !look() : !isOpaque;
+    if (isDone)
+    {
+      return image;
+    }
   }
-  pixels.Expand(frame.Size[0], frame.Size[1], internal.OpaqueDepths);
-  frame.OpaqueDepths = distance > 1.0 ? internal.Coarse.ReduceDepths(internal.OpaqueDepths).data()
-                                      : internal.OpaqueDepths.data();
+  frame.Statistics = before;
+  this->TakeOpaqueDepth(frame);
+  return this->DrawTiles(frame);
 }
 
 //------------------------------------------------------------------------------
@@ -74,8 +115,7 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
     frame.ImageSize[1] = internal.Coarse.GetHeight();
     frame.Box = frame.GetWidenedBox(static_cast<int>(std::ceil(distance)));
   }
-  this->ReadOpaqueDepth(frame);
-  const float* image = this->DrawTiles(frame);
+  const float* image = this->DrawTilesAsSeen(frame);
   // What the abort check wakes.
   frame.ReturnToWindow();
   frame.Pixels = image && isCoarse ? internal.Coarse.Enlarge(image) : image;
@@ -87,9 +127,7 @@ bool vtkConvexCellMapper::ProjectByTiles(CellProjectionFrame& frame)
 bool vtkConvexCellMapper::LayPixelsOver(CellProjectionFrame& frame)
 {
   Internals& internal = *this->Internal;
-  const bool isLaid = !this->CaptureImage && EngineChoice::IsSoftware() &&
-                      internal.Pixels.LayOver(
-                        frame.Window, frame.Origin, frame.Box, frame.Pixels, frame.Size[0]);
+  const bool isLaid = frame.HoldsColors && internal.Pixels.LayOver(frame.Pixels, frame.Size[0]);
   if (!isLaid)
   {
     internal.Target.Upload(frame.Window, frame.Size, frame.Box, frame.Pixels);

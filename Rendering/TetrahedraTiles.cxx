@@ -19,6 +19,8 @@ void TetrahedraTiles::Update(const PreparedVolume& prepared, const TetrahedraSel
   if (newCells)
   {
     this->Engine.SetMesh(prepared.Coordinates.Points, selection.Corners, report);
+    const std::vector<signed char>& orientations = this->Engine.GetMesh().Orientations;
+    this->NumberOfFlatCells = std::count(orientations.begin(), orientations.end(), 0);
     this->CellsTime.Modified();
   }
   if (newCells || this->ScalarsTime < prepared.ScalarsTime)
@@ -55,13 +57,6 @@ void TetrahedraTiles::UpdateShading(const VolumeShading& shading)
     this->Engine.SetColors(colors.Values, colors.OnePerCell);
     this->ColorsTime.Modified();
   }
-}
-
-//------------------------------------------------------------------------------
-vtkIdType TetrahedraTiles::CountFlatCells() const
-{
-  const std::vector<signed char>& orientations = this->Engine.GetMesh().Orientations;
-  return std::count(orientations.begin(), orientations.end(), 0);
 }
 
 //------------------------------------------------------------------------------

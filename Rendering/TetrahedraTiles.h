@@ -38,12 +38,13 @@ public:
   bool ReportsStages = false;
 
   /// Cells that are flat once their points are floats: they are not drawn.
-  vtkIdType CountFlatCells() const;
+  vtkIdType GetNumberOfFlatCells() const { return this->NumberOfFlatCells; }
 
 private:
   void ReportStages(FrameStatistics& statistics) const;
 
   TilesEngine Engine;
+  vtkIdType NumberOfFlatCells = 0;
   vtkTimeStamp CellsTime, ScalarsTime, SelectionTime, GradientsTime, ColorsTime;
 };
 

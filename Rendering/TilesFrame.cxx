@@ -31,6 +31,12 @@ TileView::Camera TilesFrame::GetCamera(const CellProjectionFrame& frame)
 //------------------------------------------------------------------------------
 TileLoop::AbortCheck TilesFrame::GetAbortCheck(const CellProjectionFrame& frame)
 {
-  vtkOpenGLRenderWindow* window = frame.Window;
-  return [window] { return window->CheckAbortStatus() != 0; };
+  return [&frame, isFirst = true]() mutable
+  {
+    // The first question comes before others draw: they would wait for the window.
+    const bool othersDraw = !isFirst;
+    isFirst = false;
+    return frame.Window->CheckAbortStatus() != 0 ||
+           (othersDraw && frame.FindsOpaque && frame.FindsOpaque());
+  };
 }

@@ -16,7 +16,7 @@ namespace TilesFrame
 /** What keeps the engines from drawing this frame, whatever the mapper; empty where nothing does. */
 std::string FindObstacle(const CellProjectionFrame& frame);
 TileView::Camera GetCamera(const CellProjectionFrame& frame);
-/** Asks the frame's window, which must outlive it. */
+/** Asks the window, and once others draw the frame, which must outlive it. */
 TileLoop::AbortCheck GetAbortCheck(const CellProjectionFrame& frame);
 }
 

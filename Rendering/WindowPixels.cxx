@@ -53,9 +53,27 @@ bool IsPlainTexture(GLenum attachment)
     { return FramebufferAttachment::Get(attachment, each.Name) == each.Value; });
 }
 
-// Whether the bound texture has all pixels of a box; of another kind of texture none is bound.
-bool HasPixels(const int corner[2], const WindowPixels::Box& box)
+// Binds a texture as long as it lives.
+class BoundTexture
 {
+public:
+  explicit BoundTexture(GLuint texture)
+    : Before(Get(GL_TEXTURE_BINDING_2D))
+  {
+    glBindTexture(GL_TEXTURE_2D, texture);
+  }
+  ~BoundTexture() { glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(this->Before)); }
+  BoundTexture(const BoundTexture&) = delete;
+  void operator=(const BoundTexture&) = delete;
+
+private:
+  const int Before;
+};
+
+// Whether a texture has all pixels of a box; one of another kind cannot be bound.
+bool HasPixels(GLuint texture, const std::array<int, 2>& corner, const WindowPixels::Box& box)
+{
+  const BoundTexture bound(texture);
   int size[2] = { 0, 0 };
   glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_WIDTH, &size[0]);
   glGetTexLevelParameteriv(GL_TEXTURE_2D, 0, GL_TEXTURE_HEIGHT, &size[1]);
@@ -74,9 +92,9 @@ bool IsUnmasked()
 }
 
 //------------------------------------------------------------------------------
-bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], const Box& box,
-  const float* image, int width)
+bool WindowPixels::Read(vtkOpenGLRenderWindow* window, const int origin[2], const Box& box)
 {
+  this->Texture = 0;
   // An error that others left behind is not ours.
   glGetError();
   const int framebuffer = Get(GL_DRAW_FRAMEBUFFER_BINDING);
@@ -85,40 +103,53 @@ bool WindowPixels::LayOver(vtkOpenGLRenderWindow* window, const int origin[2], c
   {
     return false;
   }
+  this->Corner = { { origin[0] + box[0], origin[1] + box[1] } };
+  this->Part = box;
   vtkOpenGLState* state = window->GetState();
   state->PushFramebufferBindings();
   state->vtkglBindFramebuffer(GL_READ_FRAMEBUFFER, static_cast<unsigned int>(framebuffer));
-  const int texture =
-    FramebufferAttachment::Get(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME);
-  const int bound = Get(GL_TEXTURE_BINDING_2D);
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(texture));
-  const int corner[2] = { origin[0] + box[0], origin[1] + box[1] };
-  const bool isDone = static_cast<GLenum>(Get(GL_READ_BUFFER)) == attachment &&
-                      HasPixels(corner, box) && this->Exchange(corner, box, image, width);
-  glBindTexture(GL_TEXTURE_2D, static_cast<GLuint>(bound));
+  const auto texture = static_cast<GLuint>(
+    FramebufferAttachment::Get(attachment, GL_FRAMEBUFFER_ATTACHMENT_OBJECT_NAME));
+  if (static_cast<GLenum>(Get(GL_READ_BUFFER)) == attachment &&
+    HasPixels(texture, this->Corner, box))
+  {
+    this->ReadColors();
+    this->Texture = glGetError() == GL_NO_ERROR ? texture : 0;
+  }
   state->PopFramebufferBindings();
-  return isDone;
+  return this->Texture != 0;
 }
 
 //------------------------------------------------------------------------------
-bool WindowPixels::Exchange(const int corner[2], const Box& box, const float* image, int width)
+void WindowPixels::ReadColors()
 {
-  this->Colors.resize(4 * static_cast<std::size_t>(box[2]) * box[3]);
+  this->Colors.resize(4 * static_cast<std::size_t>(this->Part[2]) * this->Part[3]);
   const PlainPixelStore plain;
-  glReadPixels(corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE, this->Colors.data());
-  if (glGetError() != GL_NO_ERROR)
+  glReadPixels(this->Corner[0], this->Corner[1], this->Part[2], this->Part[3], GL_RGBA,
+    GL_UNSIGNED_BYTE, this->Colors.data());
+}
+
+//------------------------------------------------------------------------------
+bool WindowPixels::LayOver(const float* image, int width)
+{
+  if (this->Texture == 0)
   {
     return false;
   }
-  this->Blend(box, image, width);
-  glTexSubImage2D(GL_TEXTURE_2D, 0, corner[0], corner[1], box[2], box[3], GL_RGBA, GL_UNSIGNED_BYTE,
-    this->Colors.data());
+  this->Blend(image, width);
+  glGetError();
+  const BoundTexture bound(this->Texture);
+  const PlainPixelStore plain;
+  glTexSubImage2D(GL_TEXTURE_2D, 0, this->Corner[0], this->Corner[1], this->Part[2], this->Part[3],
+    GL_RGBA, GL_UNSIGNED_BYTE, this->Colors.data());
+  this->Texture = 0;
   return glGetError() == GL_NO_ERROR;
 }
 
 //------------------------------------------------------------------------------
-void WindowPixels::Blend(const Box& box, const float* image, int width)
+void WindowPixels::Blend(const float* image, int width)
 {
+  const Box& box = this->Part;
   vtkSMPTools::For(0, box[3], 64,
     [&](vtkIdType begin, vtkIdType end)
     {

@@ -289,7 +289,10 @@ private:
   void ReportCells();
   bool Project(CellProjectionFrame& frame);
   bool ProjectByTiles(CellProjectionFrame& frame);
-  void ReadOpaqueDepth(CellProjectionFrame& frame);
+  bool FindOpaque(CellProjectionFrame& frame);
+  void TakeOpaqueDepth(CellProjectionFrame& frame);
+  bool LookAtWindow(CellProjectionFrame& frame);
+  const float* DrawTilesAsSeen(CellProjectionFrame& frame);
   bool LayPixelsOver(CellProjectionFrame& frame);
   double ChooseImageSampleDistance(CellProjectionFrame& frame) const;
   void RecordSampling(const CellProjectionFrame& frame, bool isDrawn);

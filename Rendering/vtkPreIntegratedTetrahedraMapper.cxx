@@ -114,7 +114,7 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
   {
     internal.Tiles.Update(prepared, internal.Selection, internal.SelectionTime,
       [this](double share) { this->ReportPreparation(0.6 + 0.35 * share); });
-    this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.CountFlatCells()));
+    this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.GetNumberOfFlatCells()));
   }
   std::string problem;
   internal.Shading.Prepare(

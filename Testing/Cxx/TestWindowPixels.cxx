@@ -115,10 +115,16 @@ int DifferenceOf(const std::vector<unsigned char>& a, const std::vector<unsigned
   return difference;
 }
 
+bool Lays(vtkOpenGLRenderWindow* window, const int origin[2], const std::vector<float>& image)
+{
+  WindowPixels pixels;
+  const bool isRead = pixels.Read(window, origin, Part);
+  return pixels.LayOver(image.data(), ViewportSize[0]) && isRead;
+}
+
 bool Lays(Framebuffer& framebuffer, const std::vector<float>& image)
 {
-  return WindowPixels().LayOver(
-    framebuffer.Window, Origin, Part, image.data(), ViewportSize[0]);
+  return Lays(framebuffer.Window, Origin, image);
 }
 
 void CheckSameAsGL(TestChecks& checks, vtkRenderWindow* window)
@@ -134,7 +140,7 @@ void CheckSameAsGL(TestChecks& checks, vtkRenderWindow* window)
   // What is not within the framebuffer is not for us.
   const int beside[2] = { 40, 3 };
   const std::vector<unsigned char> after = framebuffer.ReadColors();
-  CHECK(!WindowPixels().LayOver(framebuffer.Window, beside, Part, image.data(), ViewportSize[0]));
+  CHECK(!Lays(framebuffer.Window, beside, image));
   CHECK(framebuffer.ReadColors() == after);
 }
 
@@ -259,7 +265,7 @@ void CheckOwnWindow(TestChecks& checks, vtkRenderWindow* window)
   state->PushFramebufferBindings();
   glWindow->GetRenderFramebuffer()->Bind();
   const std::vector<float> image = MakeImage(ViewportSize[0] * ViewportSize[1]);
-  CHECK(WindowPixels().LayOver(glWindow, Origin, Part, image.data(), ViewportSize[0]));
+  CHECK(Lays(glWindow, Origin, image));
   state->PopFramebufferBindings();
 }
 }
