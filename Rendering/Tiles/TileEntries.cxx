@@ -9,12 +9,11 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <iterator>
 
 namespace
 {
 // Cells whose corners are fetched before their turn.
-constexpr std::size_t Ahead = 4;
+constexpr std::size_t Ahead = 6;
 
 // The first whole number from `at` on, in the tile or at its end.
 int FirstFrom(double at)
@@ -23,36 +22,34 @@ int FirstFrom(double at)
   const auto below = static_cast<int>(inTile);
   return below + (below < inTile ? 1 : 0);
 }
-}
 
-//------------------------------------------------------------------------------
-bool TileEntries::AreSingle(
-  const TileTask& task, const TileRectangle& tile, const int* ids, int count)
+void Prefetch(const TileTask& task, const std::vector<int>& cells, std::size_t at)
 {
-  this->Entered.fill(0);
-  this->Cells.clear();
-  std::copy_if(ids, ids + count, std::back_inserter(this->Cells),
-    [&task](int cell) { return (task.Cells->Faces[cell] & TileCells::Entered) != 0; });
-  bool isSingle = true;
-  for (std::size_t i = 0; isSingle && i < this->Cells.size(); ++i)
-  {
-    this->Prefetch(task, i);
-    isSingle = this->AddCell(task, tile, this->Cells[i]);
-  }
-  return isSingle;
-}
-
-//------------------------------------------------------------------------------
-void TileEntries::Prefetch(const TileTask& task, std::size_t at) const
-{
-  const std::size_t last = this->Cells.size() - 1;
-  hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(this->Cells[std::min(at + 2 * Ahead, last)])]);
+  const std::size_t last = cells.size() - 1;
+  const auto later = 4 * static_cast<std::size_t>(cells[std::min(at + 2 * Ahead, last)]);
+  hwy::Prefetch(&task.Mesh->Corners[later]);
+  hwy::Prefetch(&task.Mesh->Neighbours[later]);
   const int* corners =
-    &task.Mesh->Corners[4 * static_cast<std::size_t>(this->Cells[std::min(at + Ahead, last)])];
+    &task.Mesh->Corners[4 * static_cast<std::size_t>(cells[std::min(at + Ahead, last)])];
   for (int i = 0; i < 4; ++i)
   {
     hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
   }
+}
+}
+
+//------------------------------------------------------------------------------
+bool TileEntries::AreSingle(
+  const TileTask& task, const TileRectangle& tile, const std::vector<int>& cells)
+{
+  this->Entered.fill(0);
+  bool isSingle = true;
+  for (std::size_t i = 0; isSingle && i < cells.size(); ++i)
+  {
+    Prefetch(task, cells, i);
+    isSingle = this->AddCell(task, tile, cells[i]);
+  }
+  return isSingle;
 }
 
 //------------------------------------------------------------------------------
@@ -60,20 +57,24 @@ bool TileEntries::AddCell(const TileTask& task, const TileRectangle& tile, int c
 {
   const std::size_t first = 4 * static_cast<std::size_t>(cell);
   const bool positive = (task.Mesh->Orientations[cell] > 0) == task.View->KeepsOrientation;
-  Point corners[4];
-  for (int i = 0; i < 4; ++i)
+  auto cornerOf = [&](int corner) -> Point
   {
-    const float* at = &task.Vertices->Values[4 * static_cast<std::size_t>(task.Mesh->Corners[first + i])];
-    corners[i] = { double(at[0]) - tile.Left, double(at[1]) - tile.Bottom };
-  }
+    const float* at =
+      &task.Vertices->Values[4 * static_cast<std::size_t>(task.Mesh->Corners[first + corner])];
+    return { double(at[0]) - tile.Left, double(at[1]) - tile.Bottom };
+  };
   bool isSingle = true;
-  for (int f = 0; f < 4; ++f)
+  for (int f = 0; isSingle && f < 4; ++f)
   {
-    const Point &a = corners[TileMesh::FaceCorners[f][0]], &b = corners[TileMesh::FaceCorners[f][1]];
-    const Point& c = corners[TileMesh::FaceCorners[f][2]];
+    if (task.Mesh->Neighbours[first + f] >= 0)
+    {
+      continue;
+    }
+    const Point a = cornerOf(TileMesh::FaceCorners[f][0]), b = cornerOf(TileMesh::FaceCorners[f][1]);
+    const Point c = cornerOf(TileMesh::FaceCorners[f][2]);
     const double area = (b.X - a.X) * (c.Y - a.Y) - (b.Y - a.Y) * (c.X - a.X);
     const bool enters = area != 0.0 && (area > 0.0) != (TileMesh::IsInward(f) == positive);
-    isSingle = isSingle && (task.Mesh->Neighbours[first + f] >= 0 || !enters || this->AddFace(a, b, c));
+    isSingle = !enters || this->AddFace(a, b, c);
   }
   return isSingle;
 }

@@ -14,7 +14,6 @@
 #include "TileCells.h"
 
 #include <array>
-#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -24,10 +23,8 @@ struct TileTask;
 class TileEntries
 {
 public:
-  /** Of the `count` cells of a tile. */
-  bool AreSingle(const TileTask& task, const TileRectangle& tile, const int* ids, int count);
-
-  std::size_t GetMemorySize() const { return this->Cells.capacity() * sizeof(int); }
+  /** `cells`: those of a tile through which rays enter. */
+  bool AreSingle(const TileTask& task, const TileRectangle& tile, const std::vector<int>& cells);
 
 private:
   static_assert(TileSize::Pixels == 64, "a row of pixels is one word");
@@ -37,13 +34,10 @@ private:
     double X, Y;
   };
 
-  void Prefetch(const TileTask& task, std::size_t at) const;
   bool AddCell(const TileTask& task, const TileRectangle& tile, int cell);
   bool AddFace(const Point& a, const Point& b, const Point& c);
   void FlipRightOf(const Point& a, const Point& b);
 
-  /** Those through which rays enter. */
-  std::vector<int> Cells;
   /** Pixels that were entered, and those of one face. */
   Rows Entered{};
   Rows Face{};

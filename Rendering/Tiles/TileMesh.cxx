@@ -177,6 +177,7 @@ bool TileMesh::SetDrawn(const std::vector<unsigned char>& drawn)
     count += now;
   }
   this->IsSparse = static_cast<double>(count) < SparseShare * static_cast<double>(drawn.size());
+  this->OrdersEmpty = !this->IsSparse && count < drawn.size();
   return isNew;
 }
 

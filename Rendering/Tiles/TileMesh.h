@@ -49,6 +49,8 @@ public:
   std::vector<unsigned char> Drawn;
   /** Whether so few are drawn that the others are not worth a look. */
   bool IsSparse = false;
+  /** Whether some are not drawn and yet take part in the order. */
+  bool OrdersEmpty = false;
   /** Bit f: on the other side of face f the scalar may be another one, or there is no cell. Folded: the
    *  cell is flat, or a neighbour lies on the same side of their face. */
   std::vector<unsigned char> Steps;

@@ -13,15 +13,62 @@
 
 namespace
 {
-constexpr short Done = -1;
+// More than the number of cells before any one.
+constexpr std::uint8_t Present = 128;
+// Free cells that are taken at a time, so that none waits for what the one before it finds.
+constexpr std::size_t Batch = 4;
 // Of a tile's depth: free cells of one step come as they are.
 constexpr int Steps = 256;
+constexpr int None = -1;
 // The depth of what has no place on the screen: it is close to the eye.
 constexpr float Unknown = 3e38f;
-// Cells whose neighbours are fetched before their turn.
-constexpr int Ahead = 12;
-// The lowest bit of a set of faces.
-constexpr int FirstFace[16] = { 0, 0, 1, 0, 2, 0, 1, 0, 3, 0, 1, 0, 2, 0, 1, 0 };
+
+// What says which cells are behind one, and the numbers of class TileOrder that this changes. All four
+// faces take the same steps, since no processor guesses which of them rays leave through.
+struct Links
+{
+  const int* Neighbours;
+  const std::uint8_t* Faces;
+  std::uint8_t* Blockers;
+
+  template <class Visit>
+  void VisitFaces(int cell, const Visit& visit) const
+  {
+    const int* neighbours = this->Neighbours + 4 * static_cast<std::size_t>(cell);
+    const std::array<int, 4> behind = { neighbours[0], neighbours[1], neighbours[2], neighbours[3] };
+    const unsigned int faces = this->Faces[cell];
+    for (int f = 0; f < 4; ++f)
+    {
+      visit(behind[f], faces >> f & 1);
+    }
+  }
+
+  // Cells of other tiles count too, never come free, and are back at 0 after all.
+  void Count(int cell) const
+  {
+    this->VisitFaces(cell, [this](int behind, unsigned int isExit)
+      { this->Blockers[behind] = static_cast<std::uint8_t>(this->Blockers[behind] + isExit); });
+  }
+
+  // `free`: is given each neighbour, and 1 if this was the last one that it waited for, else 0.
+  template <class Free>
+  void Release(int cell, const Free& free) const
+  {
+    this->VisitFaces(cell,
+      [&](int behind, unsigned int isExit)
+      {
+        const auto left = static_cast<std::uint8_t>(this->Blockers[behind] - isExit);
+        this->Blockers[behind] = left;
+        free(behind, isExit & (left == Present ? 1u : 0u));
+      });
+  }
+};
+
+Links LinksOf(const TileTask& task, std::vector<std::uint8_t>& blockers)
+{
+  // A face without a neighbour has -1.
+  return { task.Mesh->Neighbours.data(), task.Cells->Faces.data(), blockers.data() + 1 };
+}
 
 // How far a cell's nearest corner is.
 float DepthOf(const TileTask& task, int cell)
@@ -44,31 +91,80 @@ float DepthOf(const TileTask& task, int cell)
 //------------------------------------------------------------------------------
 bool TileOrder::Sort(const TileTask& task, int* ids, int count, std::vector<int>& work)
 {
-  const unsigned int flags = this->FindWaiters(*task.Mesh, *task.Cells, ids, count);
-  work.resize(static_cast<std::size_t>(count));
-  this->Sorted = work.data();
-  this->NumberOfSorted = 0;
+  const unsigned int flags = this->CountBlockers(task, ids, count);
+  work.resize(static_cast<std::size_t>(count) + Batch);
+  int* sorted = work.data();
   if (task.Mesh->IsSparse)
   {
     this->FindSteps(task, ids, count);
-    this->ReleaseNearest(ids, count);
   }
-  else
+  const int taken = task.Mesh->IsSparse ? this->ReleaseNearest(task, ids, count, sorted)
+                                        : this->ReleaseAll(task, ids, count, sorted);
+  if (taken < count)
   {
-    this->ReleaseAll(ids, count);
+    this->TakeCircles(task, ids, count, sorted, taken);
   }
-  const bool hasCircles = this->NumberOfSorted < count;
-  // What is left hides each other in circles.
-  for (int i = 0; i < count && this->NumberOfSorted < count; ++i)
+  std::copy_n(sorted, count, ids);
+  return taken == count && !task.Mesh->IsSparse &&
+    (flags & (TileCells::Unsure | TileCells::Exact)) == 0;
+}
+
+//------------------------------------------------------------------------------
+unsigned int TileOrder::CountBlockers(const TileTask& task, const int* ids, int count)
+{
+  this->Blockers.resize(task.Mesh->Source.size() + 1, 0);
+  const Links links = LinksOf(task, this->Blockers);
+  for (int i = 0; i < count; ++i)
   {
-    if (this->Blockers[i] != Done)
+    links.Blockers[ids[i]] = Present;
+    hwy::Prefetch(links.Neighbours + 4 * static_cast<std::size_t>(ids[i]));
+  }
+  this->Entered.resize(static_cast<std::size_t>(count));
+  int* entered = this->Entered.data();
+  unsigned int flags = 0;
+  for (int i = 0; i < count; ++i)
+  {
+    const unsigned int faces = links.Faces[ids[i]];
+    flags |= faces;
+    *entered = ids[i];
+    entered += (faces & TileCells::Entered) != 0 ? 1 : 0;
+    links.Count(ids[i]);
+  }
+  this->Entered.resize(static_cast<std::size_t>(entered - this->Entered.data()));
+  return flags;
+}
+
+//------------------------------------------------------------------------------
+int TileOrder::ReleaseAll(const TileTask& task, const int* ids, int count, int* sorted)
+{
+  const Links links = LinksOf(task, this->Blockers);
+  // Last in, first out: the cells that came free last are still in cache. The stack grows down from the
+  // end of the list: what is on it is not sorted yet, and what it writes below its top stays clear of what is.
+  const std::size_t end = static_cast<std::size_t>(count) + Batch;
+  std::size_t top = end, next = 0;
+  auto push = [&](int cell, unsigned int isFree)
+  {
+    sorted[top - 1] = cell;
+    top -= isFree;
+  };
+  for (int i = count - 1; i >= 0; --i)
+  {
+    push(ids[i], links.Blockers[ids[i]] == Present ? 1 : 0);
+  }
+  while (top < end)
+  {
+    const std::size_t last = next + std::min(Batch, end - top);
+    for (std::size_t i = next; i < last; ++i)
     {
-      this->Sorted[this->NumberOfSorted++] = ids[i];
+      sorted[i] = sorted[top++];
+      links.Blockers[sorted[i]] = 0;
+    }
+    for (; next < last; ++next)
+    {
+      links.Release(sorted[next], push);
     }
   }
-  std::copy_n(this->Sorted, count, ids);
-  return !hasCircles && !task.Mesh->IsSparse &&
-    (flags & (TileCells::Unsure | TileCells::Exact)) == 0;
+  return static_cast<int>(next);
 }
 
 //------------------------------------------------------------------------------
@@ -84,127 +180,76 @@ void TileOrder::FindSteps(const TileTask& task, const int* ids, int count)
     farthest = depth < Unknown ? std::max(farthest, depth) : farthest;
   }
   const float perStep = nearest < farthest ? (Steps - 1) / (farthest - nearest) : 0.0f;
-  this->StepOf.resize(static_cast<std::size_t>(count));
-  std::transform(this->Depths.begin(), this->Depths.end(), this->StepOf.begin(),
-    [&](float depth)
-    { return depth < Unknown ? static_cast<int>((depth - nearest) * perStep) : 0; });
+  this->StepOf.resize(task.Mesh->Source.size());
+  for (int i = 0; i < count; ++i)
+  {
+    const float depth = this->Depths[i];
+    const int step = depth < Unknown ? static_cast<int>((depth - nearest) * perStep) : 0;
+    this->StepOf[ids[i]] = static_cast<std::uint8_t>(step);
+  }
 }
 
 //------------------------------------------------------------------------------
-void TileOrder::ReleaseNearest(const int* ids, int count)
+int TileOrder::ReleaseNearest(const TileTask& task, const int* ids, int count, int* sorted)
 {
+  const Links links = LinksOf(task, this->Blockers);
   // The free cells of every step are a list.
-  this->NextFree.resize(static_cast<std::size_t>(count));
+  this->FreeCells.clear();
   std::array<int, Steps> first;
-  first.fill(TilePlaces::None);
-  auto release = [&](int place, int step)
+  first.fill(None);
+  auto add = [&](int cell, int step)
   {
-    this->NextFree[place] = first[step];
-    first[step] = place;
-    this->Blockers[place] = Done;
+    this->FreeCells.push_back({ cell, first[step] });
+    first[step] = static_cast<int>(this->FreeCells.size()) - 1;
   };
-  for (int place = count - 1; place >= 0; --place)
+  for (int i = count - 1; i >= 0; --i)
   {
-    if (this->Blockers[place] == 0)
+    if (links.Blockers[ids[i]] == Present)
     {
-      release(place, this->StepOf[place]);
+      add(ids[i], this->StepOf[ids[i]]);
     }
   }
+  int taken = 0;
   for (int step = 0; step < Steps; ++step)
   {
-    while (first[step] != TilePlaces::None)
+    while (first[step] != None)
     {
-      const int cell = first[step];
-      first[step] = this->NextFree[cell];
-      this->Sorted[this->NumberOfSorted++] = ids[cell];
-      for (int k = this->WaitersBegin[cell]; k < this->WaitersBegin[cell + 1]; ++k)
-      {
-        const int waiter = this->Waiters[k];
-        if (--this->Blockers[waiter] == 0)
+      const FreeCell free = this->FreeCells[first[step]];
+      first[step] = free.Next;
+      sorted[taken++] = free.Cell;
+      links.Blockers[free.Cell] = 0;
+      links.Release(free.Cell,
+        [&](int cell, unsigned int isFree)
         {
-          release(waiter, std::max(step, this->StepOf[waiter]));
-        }
-      }
+          if (isFree != 0)
+          {
+            add(cell, std::max<int>(step, this->StepOf[cell]));
+          }
+        });
     }
   }
+  return taken;
 }
 
 //------------------------------------------------------------------------------
-unsigned int TileOrder::FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count)
+void TileOrder::TakeCircles(
+  const TileTask& task, const int* ids, int count, int* sorted, int taken)
 {
-  const auto size = static_cast<std::size_t>(count);
-  this->Places.Clear(mesh.Source.size());
-  this->Waiters.resize(std::max(this->Waiters.size(), 4 * size));
-  this->WaitersBegin.resize(size + 1);
-  this->Blockers.assign(size, 0);
-  for (int i = 0; i < count; ++i)
+  const Links links = LinksOf(task, this->Blockers);
+  // What is left hides each other in circles, or is behind such.
+  std::copy_if(ids, ids + count, sorted + taken,
+    [&links](int cell) { return links.Blockers[cell] >= Present; });
+  // Each of them is behind another one.
+  for (int i = taken; i < count; ++i)
   {
-    this->Places.Set(ids[i], i);
-  }
-  int next = 0;
-  unsigned int flags = 0;
-  for (int i = 0; i < count; ++i)
-  {
-    this->WaitersBegin[i] = next;
-    flags |= cells.Faces[ids[i]];
-    hwy::Prefetch(&mesh.Neighbours[4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)])]);
-    const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(ids[i])];
-    const unsigned int exits = cells.Faces[ids[i]] & TileCells::ExitFaces;
-    for (unsigned int left = exits; left != 0; left &= left - 1)
-    {
-      const int place = this->Places.Find(neighbours[FirstFace[left]]);
-      if (place != TilePlaces::None)
-      {
-        this->Waiters[next++] = place;
-        ++this->Blockers[place];
-      }
-    }
-  }
-  this->WaitersBegin[size] = next;
-  return flags;
-}
-
-//------------------------------------------------------------------------------
-void TileOrder::ReleaseAll(const int* ids, int count)
-{
-  for (int seed = 0; seed < count; ++seed)
-  {
-    if (this->Blockers[seed] == 0)
-    {
-      this->Release(seed, ids, count);
-    }
-  }
-}
-
-//------------------------------------------------------------------------------
-void TileOrder::Release(int seed, const int* ids, int count)
-{
-  // Last in, first out: the cells that came free last are still in cache. The stack grows down from the
-  // end of the list: what is on it is not sorted yet.
-  int top = count;
-  this->Sorted[--top] = seed;
-  this->Blockers[seed] = Done;
-  while (top < count)
-  {
-    const int cell = this->Sorted[top++];
-    this->Sorted[this->NumberOfSorted++] = ids[cell];
-    for (int k = this->WaitersBegin[cell]; k < this->WaitersBegin[cell + 1]; ++k)
-    {
-      const int waiter = this->Waiters[k];
-      if (--this->Blockers[waiter] == 0)
-      {
-        this->Blockers[waiter] = Done;
-        this->Sorted[--top] = waiter;
-      }
-    }
+    links.VisitFaces(sorted[i], [&links](int behind, unsigned int) { links.Blockers[behind] = 0; });
   }
 }
 
 //------------------------------------------------------------------------------
 std::size_t TileOrder::GetMemorySize() const
 {
-  return this->Places.GetMemorySize() + sizeof(short) * this->Blockers.capacity() +
-    sizeof(float) * this->Depths.capacity() +
-    sizeof(int) * (this->Waiters.capacity() + this->WaitersBegin.capacity() +
-                    this->StepOf.capacity() + this->NextFree.capacity());
+  return this->Blockers.capacity() + this->StepOf.capacity() +
+    sizeof(int) * this->Entered.capacity() + sizeof(float) * this->Depths.capacity() +
+    sizeof(FreeCell) * this->FreeCells.capacity();
 }

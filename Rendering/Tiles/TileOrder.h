@@ -11,13 +11,10 @@
 #ifndef TileOrder_h
 #define TileOrder_h
 
-#include "TilePlaces.h"
-
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
-class TileCells;
-class TileMesh;
 struct TileTask;
 
 class TileOrder
@@ -27,27 +24,33 @@ public:
    *  faces are certain to be in order. */
   bool Sort(const TileTask& task, int* ids, int count, std::vector<int>& work);
 
+  /** Of the ids that were sorted last, those with a face through which rays enter the mesh; ascending where
+   *  the ids were. */
+  const std::vector<int>& GetEntered() const { return this->Entered; }
+
   std::size_t GetMemorySize() const;
 
 private:
-  unsigned int FindWaiters(const TileMesh& mesh, const TileCells& cells, const int* ids, int count);
-  void ReleaseAll(const int* ids, int count);
-  void Release(int seed, const int* ids, int count);
-  void FindSteps(const TileTask& task, const int* ids, int count);
-  void ReleaseNearest(const int* ids, int count);
+  /** A free cell of a step, and the place of the next one in FreeCells. */
+  struct FreeCell
+  {
+    int Cell, Next;
+  };
 
-  TilePlaces Places;
-  // Places of the cells behind each one, from WaitersBegin[i] on.
-  std::vector<int> Waiters, WaitersBegin;
-  // How many cells before each one are still to come, or Done: 4 at most. No
-  // bytes: after a store to one the compiler reads every pointer again.
-  std::vector<short> Blockers;
-  // How far each cell is, in which step of the tile's depth that is, and which free cell of the step
-  // comes next.
+  unsigned int CountBlockers(const TileTask& task, const int* ids, int count);
+  int ReleaseAll(const TileTask& task, const int* ids, int count, int* sorted);
+  void FindSteps(const TileTask& task, const int* ids, int count);
+  int ReleaseNearest(const TileTask& task, const int* ids, int count, int* sorted);
+  void TakeCircles(const TileTask& task, const int* ids, int count, int* sorted, int taken);
+
+  // Of every cell of the mesh, after an unused one: how many cells of the tile before it are still to
+  // come, and Present where it is to come itself. Between tiles all are 0.
+  std::vector<std::uint8_t> Blockers;
+  std::vector<int> Entered;
+  // How far each cell of a tile is; of every cell of the mesh, in which step of the tile's depth.
   std::vector<float> Depths;
-  std::vector<int> StepOf, NextFree;
-  int* Sorted = nullptr;
-  int NumberOfSorted = 0;
+  std::vector<std::uint8_t> StepOf;
+  std::vector<FreeCell> FreeCells;
 };
 
 #endif

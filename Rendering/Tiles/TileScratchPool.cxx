@@ -60,7 +60,7 @@ std::size_t TileScratchPool::GetMemorySize() const
   std::size_t sum = 0;
   for (const std::unique_ptr<TileScratch>& scratch : this->Free)
   {
-    sum += scratch->Order.GetMemorySize() + scratch->Entries.GetMemorySize() + scratch->Repair.GetMemorySize() +
+    sum += scratch->Order.GetMemorySize() + scratch->Repair.GetMemorySize() +
            scratch->Drawn.capacity() * sizeof(int) +
            scratch->Boxes.capacity() * sizeof(std::uint32_t);
   }

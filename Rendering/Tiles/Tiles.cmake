@@ -94,7 +94,6 @@ list(APPEND private_headers
   Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h
   Rendering/Tiles/TilePixels-inl.h
-  Rendering/Tiles/TilePlaces.h
   Rendering/Tiles/TileProjection.h
   Rendering/Tiles/TileRecords-inl.h
   Rendering/Tiles/TileRepair.h

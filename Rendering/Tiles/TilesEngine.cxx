@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <iterator>
 
 namespace
 {
@@ -240,10 +239,7 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   {
     this->SortTile(tile, rectangle, scratch);
   }
-  const int* cells = this->Bins.GetTile(tile);
-  auto isDrawn = [this](int cell) { return this->Mesh.Drawn[cell] != 0; };
-  scratch.Drawn.clear();
-  std::copy_if(cells, cells + this->Bins.GetSize(tile), std::back_inserter(scratch.Drawn), isDrawn);
+  this->CopyDrawn(tile, scratch.Drawn);
   scratch.IsInOrder = this->Task.TrustsOrder && this->InOrder[tile] != 0;
   scratch.Clock.Lap(TileStages::Order);
   if (scratch.Drawn.empty())
@@ -259,6 +255,19 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
   scratch.Clock.End();
 }
 
+//------------------------------------------------------------------------------
+void TilesEngine::CopyDrawn(int tile, std::vector<int>& drawn)
+{
+  const int* cells = this->Bins.GetTile(tile);
+  drawn.assign(cells, cells + this->Bins.GetSize(tile));
+  if (this->Mesh.OrdersEmpty)
+  {
+    auto isEmpty = [this](int cell) { return this->Mesh.Drawn[cell] == 0; };
+    drawn.erase(std::remove_if(drawn.begin(), drawn.end(), isEmpty), drawn.end());
+  }
+}
+
+//------------------------------------------------------------------------------
 // What was empty in the frame before stays as it is.
 void TilesEngine::ClearTile(int tile, const TileRectangle& rectangle)
 {
@@ -277,7 +286,7 @@ void TilesEngine::SortTile(int tile, const TileRectangle& rectangle, TileScratch
   const int count = this->Bins.GetSize(tile);
   const bool isCertain = scratch.Order.Sort(this->Task, cells, count, scratch.Drawn);
   this->InOrder[tile] =
-    isCertain && scratch.Entries.AreSingle(this->Task, rectangle, cells, count) ? 1 : 0;
+    isCertain && scratch.Entries.AreSingle(this->Task, rectangle, scratch.Order.GetEntered()) ? 1 : 0;
 }
 
 //------------------------------------------------------------------------------

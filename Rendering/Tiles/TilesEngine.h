@@ -105,6 +105,7 @@ private:
   bool Project(const Scene& scene);
   void SortTile(int tile, const TileRectangle& rectangle, TileScratch& scratch);
   void DrawTile(int tile, TileScratch& scratch);
+  void CopyDrawn(int tile, std::vector<int>& drawn);
   void ClearTile(int tile, const TileRectangle& rectangle);
   void CollectStages(double secondsOfTiles);
   std::vector<int> FrontToBack(const std::vector<vtkIdType>& backToFront) const;
