@@ -60,8 +60,8 @@ public:
     ShadeVector (&in)[3], ShadeVector (&out)[3])
   {
     const ShadeFloat d;
-    ShadeVector rows[Terms];
-    this->Load(q.Cell + at, used, rows);
+    ShadeVector mixed[Terms];
+    const ShadeVector* rows = this->Load(q.Cell + at, used, mixed);
     const auto x = places.X, y = places.Y;
     const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
     for (int k = 0; k < 3; ++k)
@@ -75,8 +75,8 @@ public:
 private:
   static constexpr int Terms = 4 * TileCellFields::Functions;
 
-  /// `cells`: ids; those of one cell follow each other.
-  HWY_INLINE void Load(const int* cells, int used, ShadeVector (&rows)[Terms])
+  /// The rows of `cells`: ids; those of one cell follow each other.
+  HWY_INLINE const ShadeVector* Load(const int* cells, int used, ShadeVector (&mixed)[Terms])
   {
     const ShadeFloat d;
     const ShadeInt di;
@@ -85,9 +85,13 @@ private:
     // Bit k: lane k + 1 is of another cell than lane k.
     unsigned int ends = (bits[0] | bits[1] << 8) & ((1u << (used - 1)) - 1);
     this->Take(cells[0]);
+    if (ends == 0)
+    {
+      return this->Rows;
+    }
     for (int i = 0; i < Terms; ++i)
     {
-      rows[i] = hn::Set(d, this->Values[i]);
+      mixed[i] = this->Rows[i];
     }
     for (; ends != 0; ends &= ends - 1)
     {
@@ -96,9 +100,10 @@ private:
       this->Take(cells[lane]);
       for (int i = 0; i < Terms; ++i)
       {
-        rows[i] = hn::IfThenElse(before, rows[i], hn::Set(d, this->Values[i]));
+        mixed[i] = hn::IfThenElse(before, mixed[i], this->Rows[i]);
       }
     }
+    return mixed;
   }
 
   /// Goes over to a cell.
@@ -109,9 +114,19 @@ private:
       return;
     }
     this->Cell = cell;
+    alignas(16) float terms[Terms];
+    this->FindTerms(
+      this->Fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cell), terms);
+    for (int i = 0; i < Terms; ++i)
+    {
+      this->Rows[i] = hn::Set(ShadeFloat(), terms[i]);
+    }
+  }
+
+  /// From the functions of the point of a cell those of x, y, u and 1.
+  HWY_INLINE void FindTerms(const float* values, float (&terms)[Terms]) const
+  {
     const hn::CappedTag<float, 4> d;
-    const float* values =
-      this->Fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cell);
     for (std::size_t k = 0; k < 4; k += hn::Lanes(d))
     {
       hn::Vec<decltype(d)> mesh[3];
@@ -128,7 +143,7 @@ private:
         auto view = hn::Mul(hn::Set(d, this->ToView[0][i]), mesh[0]);
         view = hn::MulAdd(hn::Set(d, this->ToView[1][i]), mesh[1], view);
         view = hn::MulAdd(hn::Set(d, this->ToView[2][i]), mesh[2], view);
-        hn::Store(view, d, this->Values + 4 * i + k);
+        hn::Store(view, d, terms + 4 * i + k);
       }
     }
   }
@@ -138,8 +153,8 @@ private:
   alignas(16) float ToScreen[4][4];
   float ToView[3][3];
   int Cell = -1;
-  // Of x, y, u and 1, per component.
-  alignas(16) float Values[Terms];
+  // Of x, y, u and 1, per component; vectors, as most vectors of fragments lie in one cell.
+  ShadeVector Rows[Terms];
 };
 }
 }
