@@ -18,11 +18,13 @@
 #include "ConvexTileLanes-inl.h"
 #include "ConvexTileMesh.h"
 #include "ConvexTileRays.h"
+#include "ConvexTileSpans-inl.h"
 #include "ConvexTileTask.h"
 #include "TileCoverage-inl.h"
 #include "TileLimits.h"
 #include "TilePixels-inl.h"
 
+#include <hwy/cache_control.h>
 #include <hwy/highway.h>
 
 #include <algorithm>
@@ -33,6 +35,33 @@ namespace CellProjectionTiles
 namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
+
+/// Has what the cells after the one at `at` need brought into the caches: it lies apart. Inlined, or
+/// compilers take it for a function without effect and leave out its calls.
+HWY_INLINE void FetchAhead(const ConvexTileTask& task, const int* cells, int at, int count)
+{
+  constexpr int Near = 4, Far = 8;
+  const ConvexTileMesh& mesh = *task.Mesh;
+  if (at + Far < count)
+  {
+    const int cell = cells[at + Far];
+    hwy::Prefetch(mesh.Faces.GetRow(cell));
+    hwy::Prefetch(mesh.Corners.GetRow(cell));
+    hwy::Prefetch(mesh.Edges.Ends.data() + mesh.Edges.Offsets[cell]);
+  }
+  if (at + Near < count)
+  {
+    const int cell = cells[at + Near];
+    for (int i = mesh.Faces.Offsets[cell]; i < mesh.Faces.Offsets[cell + 1]; ++i)
+    {
+      hwy::Prefetch(&task.Faces->Values[mesh.Faces.Values[i]]);
+    }
+    for (int i = mesh.Corners.Offsets[cell]; i < mesh.Corners.Offsets[cell + 1]; ++i)
+    {
+      hwy::Prefetch(&task.Common.Vertices->Values[4 * static_cast<std::size_t>(mesh.Corners.Values[i])]);
+    }
+  }
+}
 
 /// Whether opaque geometry and clipping planes leave nothing of a cell in a box.
 inline bool IsCutOff(const ConvexTileTask& task, int cell, const CellBox& box)
@@ -72,24 +101,23 @@ struct CellBlocks
   }
 
   /// Where the rays at x, y from the box's corner enter and leave.
-  template <bool WithScalars>
   HWY_INLINE void FindEnds(CoverVector x, CoverVector y, BlockEnd& entry, BlockEnd& exit) const
   {
     const CellFaces& f = this->Faces;
-    for (int i = 0; i < f.Entries; ++i)
+    for (int i = 0; i < f.Counts[0]; ++i)
     {
-      entry.Add<true, WithScalars>(f.Faces[i], x, y, i == 0);
+      entry.Add<true>(f.Ends[0][i], x, y, i == 0);
     }
-    for (int i = f.Entries; i < f.Count; ++i)
+    for (int i = 0; i < f.Counts[1]; ++i)
     {
-      exit.Add<false, WithScalars>(f.Faces[i], x, y, i == f.Entries);
+      exit.Add<false>(f.Ends[1][i], x, y, i == 0);
     }
     // Twice: an end that a later face moves may come to lie in the gap of an earlier one.
     for (int i = 0; i < 2 * f.Pairs; ++i)
     {
       CutAtValley(f.Valleys[i % f.Pairs], x, y, entry, exit);
     }
-    if (WithScalars && this->HasCellScalar)
+    if (this->HasCellScalar)
     {
       const CoverFloat d;
       const auto scale = hn::Set(d, this->ScalarScale), offset = hn::Set(d, this->ScalarOffset);
@@ -99,7 +127,7 @@ struct CellBlocks
   }
 
   /// Calls `each` with the covered lanes of every block, where their rays enter and leave, and their pixels.
-  template <bool WithScalars, class Each>
+  template <class Each>
   HWY_INLINE void Walk(const Each& each) const
   {
     const CoverFloat d;
@@ -114,7 +142,7 @@ struct CellBlocks
       for (int left = 0; left < this->Width; left += this->Shape.Width)
       {
         BlockEnd entry, exit;
-        this->FindEnds<WithScalars>(
+        this->FindEnds(
           hn::Add(columns, hn::Set(d, static_cast<float>(left))), y, entry, exit);
         const auto within = left < box.LastLeft ? inRows : hn::And(inRows, box.InLast);
         const int corner = this->Corner + top * TileSize::Pixels + left;
@@ -129,30 +157,68 @@ struct CellBlocks
 inline void CoverConvexAtOnce(const CellBlocks& cell, TileFragments& out)
 {
   int count = out.Count;
-  cell.Walk<true>(
+  cell.Walk(
     [&](hn::Mask<CoverFloat> covered, const BlockEnd& entry, const BlockEnd& exit, hn::Vec<CoverInt> pixel)
     { count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out); });
   out.Count = count;
 }
 
-/// The pixels first: as CoverInTwoSteps.
-inline void CoverConvexInTwoSteps(const CellBlocks& cell, TileFragments& out)
+/// Puts the pixels of all rows at the end of the queue; returns how many it has then.
+inline int AppendSpans(const RowSpans& spans, const CellBlocks& cell, TileFragments& out)
 {
-  const CoverFloat d;
   const CoverInt di;
   int count = out.Count;
-  cell.Walk<false>(
-    [&](hn::Mask<CoverFloat> covered, const BlockEnd&, const BlockEnd&, hn::Vec<CoverInt> pixel)
-    { count = AppendPixels(covered, pixel, count, out); });
-  for (int at = out.Count; at < count; at += static_cast<int>(hn::Lanes(d)))
+  for (int row = 0; row < cell.Height; ++row)
   {
-    const PixelPlaces places(hn::LoadU(di, out.Pixel + at), cell.Corner);
+    const int first = spans.First[row], size = spans.Last[row] - first + 1;
+    const int pixel = cell.Corner + row * TileSize::Pixels + first;
+    for (int k = 0; k < size; k += static_cast<int>(hn::Lanes(di)))
+    {
+      hn::StoreU(Ramp(di, pixel + k), di, out.Pixel + count + k);
+    }
+    count += std::max(size, 0);
+  }
+  return count;
+}
+
+/// A full vector of them.
+HWY_INLINE void StoreFragments(
+  const BlockEnd& entry, const BlockEnd& exit, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
+{
+  const CoverFloat d;
+  hn::StoreU(entry.U, d, out.Entry + at);
+  hn::StoreU(hn::Sub(entry.U, exit.U), d, out.Extent + at);
+  hn::StoreU(entry.S, d, out.ScalarIn + at);
+  hn::StoreU(exit.S, d, out.ScalarOut + at);
+  hn::StoreU(pixel, CoverInt(), out.Pixel + at);
+}
+
+/// The pixels between its edges first, then the rest of their fragments in full vectors.
+inline void CoverConvexInSpans(const ConvexTileTask& task, int id, const CellBlocks& cell,
+  const CellBox& box, TileFragments& out)
+{
+  const EdgeList edges(task, id, box);
+  const int end = AppendSpans(RowSpans(edges, box), cell, out);
+  const CoverFloat d;
+  int count = out.Count;
+  for (int at = count; at < end; at += static_cast<int>(hn::Lanes(d)))
+  {
+    const auto pixel = hn::LoadU(CoverInt(), out.Pixel + at);
+    const PixelPlaces places(pixel, cell.Corner);
     BlockEnd entry, exit;
-    cell.FindEnds<true>(places.X, places.Y, entry, exit);
-    hn::StoreU(entry.U, d, out.Entry + at);
-    hn::StoreU(hn::Max(hn::Sub(entry.U, exit.U), hn::Zero(d)), d, out.Extent + at);
-    hn::StoreU(entry.S, d, out.ScalarIn + at);
-    hn::StoreU(exit.S, d, out.ScalarOut + at);
+    cell.FindEnds(places.X, places.Y, entry, exit);
+    const auto used = hn::FirstN(d, static_cast<std::size_t>(end - at));
+    const auto covered = hn::And(used, hn::Lt(exit.U, entry.U));
+    // No more than were read: a place that is written to was read before.
+    if (hn::AllTrue(d, covered))
+    {
+      StoreFragments(entry, exit, pixel, count, out);
+      count += static_cast<int>(hn::Lanes(d));
+    }
+    else
+    {
+      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out);
+    }
   }
   out.Count = count;
 }
@@ -161,17 +227,17 @@ inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& til
   const CellBox& box, const BlockShapes& shapes, TileFragments& out)
 {
   const CellBlocks cell(task, tile, id, box, shapes);
-  if (cell.Faces.Entries == 0 || cell.Faces.Entries == cell.Faces.Count)
+  if (cell.Faces.Counts[0] == 0 || cell.Faces.Counts[1] == 0)
   {
     return;
   }
-  if (cell.Faces.Pairs > 0 || cell.Width * cell.Height <= static_cast<int>(hn::Lanes(CoverFloat())))
+  if (cell.Width * cell.Height <= static_cast<int>(hn::Lanes(CoverFloat())))
   {
     CoverConvexAtOnce(cell, out);
   }
   else
   {
-    CoverConvexInTwoSteps(cell, out);
+    CoverConvexInSpans(task, id, cell, box, out);
   }
 }
 

@@ -94,56 +94,52 @@ struct CellFace
   }
 };
 
-/// The faces of a cell, those where rays enter first. Of a mixed face, which rays enter through one
-/// triangle and leave through the other, both are planes of their own; where their edge is a valley
-/// of the cell they are a pair: inside either is inside.
+/// The faces of a cell. Of a mixed face, which rays enter through one triangle and leave through the
+/// other, both are planes of their own; where their edge is a valley of the cell they are a pair:
+/// inside either is inside.
 struct CellFaces
 {
   static constexpr int Most = 32;
-  CellFace Faces[2 * Most];
+  /// Where rays enter, and where they leave.
+  CellFace Ends[2][Most];
+  int Counts[2] = { 0, 0 };
   CellFace Valleys[Most][2];
-  int Entries = 0, Count = 0, Pairs = 0;
+  int Pairs = 0;
 
   CellFaces(const ConvexTileTask& task, int cell, const CellBox& box)
   {
     const ConvexCellFaces::Rows& rows = task.Mesh->Faces;
-    for (const bool wantsEntry : { true, false })
+    for (int at = rows.Offsets[cell]; at < rows.Offsets[cell + 1]; ++at)
     {
-      for (int at = rows.Offsets[cell]; at < rows.Offsets[cell + 1]; ++at)
+      const ConvexTileFace& face = task.Faces->Values[rows.Values[at]];
+      // Turned to the eye and out of the cell: rays enter.
+      const bool isTurned = (face.Side > 0.0f) == task.Common.View->KeepsOrientation;
+      const bool isEntry = isTurned == (task.Mesh->Sides[at] < 0);
+      if (face.IsMixed != 0.0f)
       {
-        const ConvexTileFace& face = task.Faces->Values[rows.Values[at]];
-        // Turned to the eye and out of the cell: rays enter.
-        const bool isTurned = (face.Side > 0.0f) == task.Common.View->KeepsOrientation;
-        const bool isEntry = isTurned == (task.Mesh->Sides[at] < 0);
-        if (face.IsMixed != 0.0f)
-        {
-          this->AddMixed(task, at, CellFace(face, box), isEntry, wantsEntry);
-        }
-        else if (isEntry == wantsEntry)
-        {
-          this->Faces[this->Count++] = CellFace(face, box);
-        }
+        this->AddMixed(task, at, CellFace(face, box), isEntry);
       }
-      this->Entries = wantsEntry ? this->Count : this->Entries;
+      else
+      {
+        // No branch: it would be guessed wrong every other time.
+        const int end = isEntry ? 0 : 1;
+        this->Ends[end][this->Counts[end]++] = CellFace(face, box);
+      }
     }
   }
 
 private:
-  void AddMixed(
-    const ConvexTileTask& task, int at, const CellFace& face, bool isEntry, bool wantsEntry)
+  void AddMixed(const ConvexTileTask& task, int at, const CellFace& face, bool isEntry)
   {
     const int id = task.Mesh->Faces.Values[at];
     const bool isValley = task.Mesh->Pieces->Planes[id].IsRaised != (task.Mesh->Sides[at] > 0);
-    if (!isValley)
+    for (int end = 0; end < 2; ++end)
     {
-      this->Faces[this->Count++] = face.Triangle(isEntry != wantsEntry);
+      const CellFace triangle = face.Triangle(isEntry != (end == 0));
+      (isValley ? this->Valleys[this->Pairs][end] : this->Ends[end][this->Counts[end]]) = triangle;
+      this->Counts[end] += isValley ? 0 : 1;
     }
-    else if (wantsEntry)
-    {
-      this->Valleys[this->Pairs][0] = face.Triangle(!isEntry);
-      this->Valleys[this->Pairs][1] = face.Triangle(isEntry);
-      ++this->Pairs;
-    }
+    this->Pairs += isValley ? 1 : 0;
   }
 };
 
@@ -152,18 +148,15 @@ struct BlockEnd
 {
   CoverVector U, S;
 
-  template <bool IsEntry, bool WithScalar>
+  template <bool IsEntry>
   HWY_INLINE void Add(const CellFace& f, CoverVector x, CoverVector y, bool isFirst)
   {
     const CoverFloat d;
     const auto beyond = hn::Max(LinearAt(f.GA, f.GB, f.GP, x, y), hn::Zero(d));
     const auto u = hn::MulAdd(hn::Set(d, f.UFold), beyond, LinearAt(f.UA, f.UB, f.UP, x, y));
-    if (WithScalar)
-    {
-      const auto s = hn::MulAdd(hn::Set(d, f.SFold), beyond, LinearAt(f.SA, f.SB, f.SP, x, y));
-      const auto decides = IsEntry ? hn::Lt(u, this->U) : hn::Lt(this->U, u);
-      this->S = isFirst ? s : hn::IfThenElse(decides, s, this->S);
-    }
+    const auto s = hn::MulAdd(hn::Set(d, f.SFold), beyond, LinearAt(f.SA, f.SB, f.SP, x, y));
+    const auto decides = IsEntry ? hn::Lt(u, this->U) : hn::Lt(this->U, u);
+    this->S = isFirst ? s : hn::IfThenElse(decides, s, this->S);
     this->U = isFirst ? u : IsEntry ? hn::Min(this->U, u) : hn::Max(this->U, u);
   }
 };
@@ -173,8 +166,8 @@ inline void CutAtValley(
   const CellFace (&pair)[2], CoverVector x, CoverVector y, BlockEnd& entry, BlockEnd& exit)
 {
   BlockEnd enter, leave;
-  enter.Add<true, true>(pair[0], x, y, true);
-  leave.Add<false, true>(pair[1], x, y, true);
+  enter.Add<true>(pair[0], x, y, true);
+  leave.Add<false>(pair[1], x, y, true);
   const auto later = hn::And(hn::Lt(entry.U, leave.U), hn::Lt(enter.U, entry.U));
   entry.U = hn::IfThenElse(later, enter.U, entry.U);
   entry.S = hn::IfThenElse(later, enter.S, entry.S);

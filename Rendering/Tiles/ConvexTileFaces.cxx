@@ -202,7 +202,7 @@ void ProjectFaceLanes(
   const auto one = hn::CopySign(hn::Set(d, 1.0f), f.BaseArea());
   const auto zero = hn::Zero(d);
   const auto mixed = hn::IfThenElseZero(
-    hn::Lt(hn::Mul(f.Areas[0], f.Areas[1]), zero), hn::Set(d, 1.0f));
+    hn::Lt(hn::Mul(f.Areas[0], f.Areas[1]), zero), hn::CopySign(hn::Set(d, 1.0f), side));
   const std::size_t at = static_cast<std::size_t>(lane);
   hn::StoreInterleaved4(f.First[0], f.First[1], f.First[2], u.A, d, group.Out[0][at]);
   hn::StoreInterleaved4(u.B, f.First[3], s.A, s.B, d, group.Out[1][at]);

@@ -18,7 +18,8 @@ class TileClusterBlocks;
 class TileVertices;
 class TileView;
 
-struct ConvexTileFace
+/// One line of a cache.
+struct alignas(64) ConvexTileFace
 {
   float X, Y, U, UA;
   float UB, S, SA, SB;
@@ -26,7 +27,8 @@ struct ConvexTileFace
   /** 1 where the points of its larger triangle run counterclockwise, -1 clockwise, 0 where floats do
    *  not serve. */
   float Side;
-  /** Not 0: the other triangle runs the other way round; it is u + CU g all over. */
+  /** Not 0: the other triangle runs the other way round; it is u + CU g all over. The diagonal ends at
+   *  X + IsMixed GY, Y - IsMixed GX. */
   float IsMixed;
   float Unused[2];
 };

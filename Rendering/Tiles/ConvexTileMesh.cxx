@@ -28,6 +28,7 @@ void ConvexTileMesh::Build(const std::vector<float>& points, const ConvexCellFac
   this->Steps.resize(static_cast<std::size_t>(cells.GetNumberOfFaces()));
   this->FindSides(planes);
   this->FindSteps();
+  this->FindEdges();
   this->Drawn.assign(this->Source.size(), 0);
 }
 
@@ -116,6 +117,54 @@ void ConvexTileMesh::FindSteps()
 }
 
 //------------------------------------------------------------------------------
+void ConvexTileMesh::FindEdges()
+{
+  this->Edges = EdgeRows();
+  for (int cell = 0; cell < this->GetNumberOfCells(); ++cell)
+  {
+    if (this->Corners.GetSize(cell) <= MostCorners)
+    {
+      this->AddEdges(cell);
+    }
+    this->Edges.Offsets.push_back(static_cast<int>(this->Edges.Ends.size()));
+  }
+}
+
+//------------------------------------------------------------------------------
+void ConvexTileMesh::AddEdges(int cell)
+{
+  const int* ids = this->Corners.GetRow(cell);
+  const int corners = this->Corners.GetSize(cell);
+  const auto first = static_cast<std::size_t>(this->Edges.Offsets.back());
+  std::array<std::array<bool, MostCorners>, MostCorners> isJoined{};
+  const auto join = [&](int one, int other)
+  {
+    const auto a = std::find(ids, ids + corners, one) - ids;
+    const auto b = std::find(ids, ids + corners, other) - ids;
+    bool& isOld = isJoined[std::min(a, b)][std::max(a, b)];
+    if (a != b && !isOld)
+    {
+      this->Edges.Ends.push_back({ static_cast<unsigned char>(a), static_cast<unsigned char>(b) });
+      isOld = true;
+    }
+  };
+  for (int at = this->Faces.Offsets[cell]; at < this->Faces.Offsets[cell + 1]; ++at)
+  {
+    const int face = this->Faces.Values[at];
+    for (int piece = this->Pieces->Offsets[face]; piece < this->Pieces->Offsets[face + 1]; ++piece)
+    {
+      const std::array<int, 4>& loop = this->Pieces->Corners[piece];
+      for (std::size_t i = 0; i < 4; ++i)
+      {
+        join(loop[i], loop[(i + 1) % 4]);
+      }
+    }
+  }
+  const bool areFew = this->Edges.Ends.size() <= first + MostEdges;
+  this->Edges.Ends.resize(areFew ? this->Edges.Ends.size() : first);
+}
+
+//------------------------------------------------------------------------------
 void ConvexTileMesh::SetScalars(const std::vector<float>& values, bool onePerCell, float sign)
 {
   this->CellScalars.resize(onePerCell ? values.size() : 0);
@@ -168,7 +217,7 @@ float ConvexTileMesh::FindGreatest(int cell) const
 std::size_t ConvexTileMesh::GetMemorySize() const
 {
   return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() +
-         this->Steps.size() + this->Drawn.size() + this->IsSolid.size() +
-         4 * (this->Source.size() + this->Corners.Offsets.size() + this->Corners.Values.size() +
+         this->Steps.size() + this->Drawn.size() + this->IsSolid.size() + 2 * this->Edges.Ends.size() +
+         4 * (this->Edges.Offsets.size() + this->Source.size() + this->Corners.Offsets.size() + this->Corners.Values.size() +
                this->Faces.Offsets.size() + this->Faces.Values.size());
 }

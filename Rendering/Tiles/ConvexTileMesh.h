@@ -12,6 +12,7 @@
 #include "ConvexCellFaces.h"
 #include "FacePieces.h"
 
+#include <array>
 #include <cstddef>
 #include <vector>
 
@@ -40,6 +41,16 @@ public:
   std::vector<int> Source;
   /** Points and faces per cell. */
   ConvexCellFaces::Rows Corners, Faces;
+  /** Per cell: the edges of its faces' pieces, which corners of the cell they join. None where there are
+   *  more than MostCorners or MostEdges. */
+  struct EdgeRows
+  {
+    std::vector<int> Offsets{ 0 };
+    std::vector<std::array<unsigned char, 2>> Ends;
+  };
+  EdgeRows Edges;
+  static constexpr int MostCorners = 32;
+  static constexpr int MostEdges = 64;
   const FacePieces* Pieces = nullptr;
   /** x, y, z, scalar. */
   std::vector<float> Points;
@@ -58,6 +69,8 @@ private:
     const ConvexCellFaces::Rows& from, const std::vector<int>& rows, ConvexCellFaces::Rows& to);
   void FindSides(const CellPlanes& planes);
   void FindSteps();
+  void FindEdges();
+  void AddEdges(int cell);
 
   /** Per cell: whether its points span a volume. */
   std::vector<unsigned char> IsSolid;

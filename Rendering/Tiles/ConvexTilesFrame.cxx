@@ -70,6 +70,7 @@ void ConvexTilesFrame::SetCells(
     this->HasCells = true;
   }
   this->Task.Common.View = &this->View;
+  this->Task.Common.Vertices = &this->Vertices;
   this->Task.Mesh = &this->Mesh;
   this->Task.Rays = &this->Rays;
   this->Task.Faces = &this->Faces;

@@ -71,6 +71,7 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
   };
   for (int i = 0; i < count; ++i)
   {
+    FetchAhead(task, cells, i, count);
     if (IsCutOff(task, cells[i], CellBox(task.Cells->Boxes[cells[i]], tile)))
     {
       ++scratch.Counts.HiddenCells;

@@ -134,6 +134,7 @@ void DrawExtrema(const ConvexTileTask& task, const TileRectangle& tile, const in
     }
     else
     {
+      FetchAhead(task, cells, i, count);
       TakeCell(task, tile, cell, greatest[cell], shapes, scratch, values);
     }
   }

@@ -47,6 +47,7 @@ list(APPEND private_headers
   Rendering/Tiles/ConvexTileLanes-inl.h
   Rendering/Tiles/ConvexTileMesh.h
   Rendering/Tiles/ConvexTileRays.h
+  Rendering/Tiles/ConvexTileSpans-inl.h
   Rendering/Tiles/ConvexTileTask.h
   Rendering/Tiles/ConvexTilesFrame.h
   Rendering/Tiles/EmissionProjection.h
