@@ -8,6 +8,8 @@
 #include <glm/vec3.hpp>
 
 #include <algorithm>
+#include <array>
+#include <cstdint>
 
 namespace
 {
@@ -136,16 +138,18 @@ void ConvexTileMesh::AddEdges(int cell)
   const int* ids = this->Corners.GetRow(cell);
   const int corners = this->Corners.GetSize(cell);
   const auto first = static_cast<std::size_t>(this->Edges.Offsets.back());
-  std::array<std::array<bool, MostCorners>, MostCorners> isJoined{};
+  // Bit b of the a-th.
+  std::array<std::uint32_t, MostCorners> joined{};
+  bool areCorners = true;
   const auto join = [&](int one, int other)
   {
     const auto a = std::find(ids, ids + corners, one) - ids;
     const auto b = std::find(ids, ids + corners, other) - ids;
-    bool& isOld = isJoined[std::min(a, b)][std::max(a, b)];
-    if (a != b && !isOld)
+    areCorners = areCorners && std::max(a, b) < corners;
+    if (areCorners && a != b && (joined[std::min(a, b)] >> std::max(a, b) & 1u) == 0)
     {
       this->Edges.Ends.push_back({ static_cast<unsigned char>(a), static_cast<unsigned char>(b) });
-      isOld = true;
+      joined[std::min(a, b)] |= 1u << std::max(a, b);
     }
   };
   for (int at = this->Faces.Offsets[cell]; at < this->Faces.Offsets[cell + 1]; ++at)
@@ -160,8 +164,9 @@ void ConvexTileMesh::AddEdges(int cell)
       }
     }
   }
-  const bool areFew = this->Edges.Ends.size() <= first + MostEdges;
-  this->Edges.Ends.resize(areFew ? this->Edges.Ends.size() : first);
+  // Of too many, or where a face has a point that the cell does not name, none: then whole rows are looked at.
+  const bool areKept = areCorners && this->Edges.Ends.size() <= first + MostEdges;
+  this->Edges.Ends.resize(areKept ? this->Edges.Ends.size() : first);
 }
 
 //------------------------------------------------------------------------------
@@ -216,8 +221,8 @@ float ConvexTileMesh::FindGreatest(int cell) const
 //------------------------------------------------------------------------------
 std::size_t ConvexTileMesh::GetMemorySize() const
 {
-  return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() +
-         this->Steps.size() + this->Drawn.size() + this->IsSolid.size() + 2 * this->Edges.Ends.size() +
-         4 * (this->Edges.Offsets.size() + this->Source.size() + this->Corners.Offsets.size() + this->Corners.Values.size() +
-               this->Faces.Offsets.size() + this->Faces.Values.size());
+  return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() + this->Steps.size() +
+         this->Drawn.size() + this->IsSolid.size() + 2 * this->Edges.Ends.size() +
+         4 * (this->Edges.Offsets.size() + this->Source.size() + this->Corners.Offsets.size() +
+               this->Corners.Values.size() + this->Faces.Offsets.size() + this->Faces.Values.size());
 }

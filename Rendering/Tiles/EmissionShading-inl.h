@@ -146,6 +146,7 @@ private:
       const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
       if (this->FindOnePiece(p.First, p.Last, one))
       {
+        p.Piece = hn::Set(di, one.Piece);
         this->ShadePiece(one, p, used, rest, color);
       }
       else

@@ -136,15 +136,6 @@ HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, 
   hn::StoreU(pack(pixel), CoverInt(), out.Pixel + at);
   return at + static_cast<int>(hn::CountTrue(d, covered));
 }
-
-/// Puts the pixels of the covered lanes alone at `at`; returns where the next ones go.
-HWY_INLINE int AppendPixels(
-  hn::Mask<CoverFloat> covered, hn::Vec<CoverInt> pixel, int at, TileFragments& out)
-{
-  const CoverFloat d;
-  hn::StoreU(LanePacker<CoverFloat>(d, covered)(pixel), CoverInt(), out.Pixel + at);
-  return at + static_cast<int>(hn::CountTrue(d, covered));
-}
 }
 }
 HWY_AFTER_NAMESPACE();

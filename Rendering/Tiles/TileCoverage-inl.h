@@ -16,7 +16,6 @@
 #include "TileExactCoverage-inl.h"
 #include "TileFragments.h"
 #include "TileGroup.h"
-#include "TilePacking-inl.h"
 #include "TilePixels-inl.h"
 #include "TileTask.h"
 

@@ -1,6 +1,6 @@
 /**
- * Where in a row of pixels a tetrahedron that is set up in double can be covered: most of the box of a long thin one lies
- * outside of it.
+ * Where in a row of pixels a tetrahedron that is set up in double can be covered: most of the box of a long
+ * thin one lies outside of it.
  *
  * Bounds alone, a pixel and what rounding may do too wide; whether a pixel is covered the planes themselves say.
  */

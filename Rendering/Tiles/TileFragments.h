@@ -55,7 +55,7 @@ struct TileFragments
   }
   bool NamesCells = false;
 
-  /** The lanes of the blocks that cover a box. */
+  /** The lanes that are looked at: of the blocks that cover a box, or of the vectors of a row. */
   void CountLanes(int width, int height, int blockWidth, int blockHeight)
   {
     if (this->CountsLanes && width > 0 && height > 0)

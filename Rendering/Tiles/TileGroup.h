@@ -35,8 +35,8 @@ struct TileGroup
   alignas(64) int Exact[Size];
   /** Not 0: a part is transparent, the cuts are set. */
   alignas(64) int Cut[Size];
-  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers; rows are read in
-   *  steps of so many. */
+  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers; rows
+   *  are read in steps of so many. */
   static constexpr int RowStep = 4;
   alignas(64) int SpanStart[TileSize::Pixels + RowStep][Size];
   alignas(64) int SpanCount[TileSize::Pixels + RowStep][Size];

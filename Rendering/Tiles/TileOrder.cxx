@@ -184,8 +184,9 @@ void TileOrder::FindSteps(const TileTask& task, const int* ids, int count)
   for (int i = 0; i < count; ++i)
   {
     const float depth = this->Depths[i];
-    const int step = depth < Unknown ? static_cast<int>((depth - nearest) * perStep) : 0;
-    this->StepOf[ids[i]] = static_cast<std::uint8_t>(step);
+    // What is not a number comes first.
+    const float step = depth < Unknown ? std::max(0.0f, (depth - nearest) * perStep) : 0.0f;
+    this->StepOf[ids[i]] = static_cast<std::uint8_t>(std::min(step, Steps - 1.0f));
   }
 }
 

@@ -31,7 +31,7 @@ using ShadeVector = hn::Vec<ShadeFloat>;
 using ShadeIndex = hn::Vec<ShadeInt>;
 using ShadeMask = hn::Mask<ShadeFloat>;
 
-/// Table look-ups in registers, for a function of no more pieces than a vector has lanes.
+/// Table look-ups in registers, for a function of fewer pieces than a vector has lanes.
 struct RegisterLookUp
 {
   HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const
@@ -41,7 +41,7 @@ struct RegisterLookUp
   }
 };
 
-/// The same for a function of no more pieces than two vectors have lanes.
+/// The same for a function of fewer pieces than two vectors have lanes.
 struct TwoRegistersLookUp
 {
   HWY_INLINE ShadeVector operator()(const float* table, ShadeIndex index) const

@@ -173,7 +173,7 @@ HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines
   }
 }
 
-/// What a float that holds a whole number from 0 to 4 millions has in its last bits: quicker than what minds the others.
+/// What a float that holds a whole number from 0 to 4 millions has in its last bits: quicker than to mind others.
 HWY_INLINE hn::Vec<SpanInt> WholeNumber(SpanVector value, hn::Vec<SpanInt> offset)
 {
   const auto shifted = hn::Add(value, hn::Set(SpanFloat(), 8388608.0f));

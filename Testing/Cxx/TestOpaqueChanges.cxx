@@ -96,8 +96,12 @@ int TestOpaqueChanges(int, char*[])
   TestChecks checks;
   for (const char* backend : { "STDThread", "TBB", "Sequential" })
   {
-    std::cout << backend << "\n";
-    vtkSMPTools::SetBackend(backend);
+    const bool isThere = vtkSMPTools::SetBackend(backend);
+    std::cout << backend << (isThere ? "\n" : ": this VTK has none, left out\n");
+    if (!isThere)
+    {
+      continue;
+    }
     CheckMappers(checks);
   }
   return checks.Result();
