@@ -6,8 +6,12 @@
 #include "PolyhedraScene.h"
 #include "TestMeshes.h"
 
+#include "vtkCellType.h"
+#include "vtkDoubleArray.h"
+#include "vtkPointData.h"
 #include "vtkSMPTools.h"
 #include "vtkTable.h"
+#include "vtkUnstructuredGrid.h"
 #include "vtkVariant.h"
 
 #include <hwy/targets.h>
@@ -58,6 +62,45 @@ void CheckRaster(TestChecks& checks, PolyhedraScene& scene)
   CHECK_AT_MOST(TestScene::CountDifferent(tiles, scene.Mapper->GetCapturedImage(), bound), 5);
   scene.Mapper->SetEngineToTiles();
 }
+
+// A cube as a polyhedron that names the first `named` of its corners; its faces name all of them.
+PolyhedraMeshes::Grid Cube(vtkIdType named)
+{
+  auto grid = PolyhedraMeshes::Grid::New();
+  vtkNew<vtkPoints> points;
+  vtkNew<vtkDoubleArray> scalars;
+  scalars->SetName("scalar");
+  for (int i = 0; i < 8; ++i)
+  {
+    points->InsertNextPoint((i & 1) - 0.5, (i >> 1 & 1) - 0.5, (i >> 2) - 0.5);
+    scalars->InsertNextValue(i / 7.0);
+  }
+  grid->SetPoints(points);
+  grid->GetPointData()->SetScalars(scalars);
+  const vtkIdType corners[8] = { 0, 1, 2, 3, 4, 5, 6, 7 };
+  const vtkIdType faces[30] = { 4, 0, 4, 6, 2, 4, 1, 3, 7, 5, 4, 0, 1, 5, 4, 4, 2, 6, 7, 3, 4, 0, 2, 3, 1, 4, 4, 5, 7,
+    6 };
+  grid->InsertNextCell(VTK_POLYHEDRON, named, corners, 6, faces);
+  return grid;
+}
+
+// It is drawn as if it named them all, or left out and said so: never another picture.
+void CheckUnnamedCorner(TestChecks& checks, const PolyhedraMappers::Entry& mapper)
+{
+  PolyhedraScene scene(mapper.Make(), 80, 72);
+  scene.Mapper->SetEngineToTiles();
+  scene.SetMesh(Cube(8));
+  scene.SetView(0);
+  scene.Render();
+  auto image = scene.CopyCaptured();
+  scene.SetMesh(Cube(7));
+  scene.SetView(0);
+  scene.Render();
+  const double drawn = scene.Mapper->GetLastStatistics()->GetValueByName(0, "CellsDrawn").ToDouble();
+  const double difference = TestScene::Difference(image, scene.Mapper->GetCapturedImage());
+  std::cout << mapper.Name << ", a corner that is not named: drawn " << drawn << ", difference " << difference << "\n";
+  CHECK(drawn > 0.0 ? difference < scene.GetBound() : scene.CountLitPixels() == 0);
+}
 }
 
 int TestPolyhedraTiles(int, char*[])
@@ -75,6 +118,7 @@ int TestPolyhedraTiles(int, char*[])
     CheckThreads(checks, scene);
     CheckTargets(checks, scene, mapper.Name);
     CheckRaster(checks, scene);
+    CheckUnnamedCorner(checks, mapper);
   }
   return checks.Result();
 }
