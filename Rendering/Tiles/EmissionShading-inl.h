@@ -191,11 +191,8 @@ private:
 inline TileShadeCount ShadeEmission(const EmissionTable& table, const TileView& view,
   const TileRectangle& tile, TileFragments& fragments, TileRemainders (&remainders)[2])
 {
-  if (FitsRegisters(table))
-  {
-    return EmissionShader<RegisterLookUp>(table, view, tile).Shade(fragments, remainders);
-  }
-  return EmissionShader<MemoryLookUp>(table, view, tile).Shade(fragments, remainders);
+  return WithLookUp(table, [&](auto values)
+    { return EmissionShader<decltype(values)>(table, view, tile).Shade(fragments, remainders); });
 }
 }
 }

@@ -239,14 +239,8 @@ inline void CutTransparent(
     hn::Min(c.Corner[0][3], c.Corner[1][3]), hn::Min(c.Corner[2][3], c.Corner[3][3]));
   const auto greatest = hn::Max(
     hn::Max(c.Corner[0][3], c.Corner[1][3]), hn::Max(c.Corner[2][3], c.Corner[3][3]));
-  if (FitsRegisters(*task.Transfer))
-  {
-    SetUpCuts<RegisterLookUp>(task, least, greatest, lane, group);
-  }
-  else
-  {
-    SetUpCuts<MemoryLookUp>(task, least, greatest, lane, group);
-  }
+  WithLookUp(*task.Transfer,
+    [&](auto values) { SetUpCuts<decltype(values)>(task, least, greatest, lane, group); });
 }
 
 inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lane,

@@ -16,8 +16,6 @@
 
 #include <hwy/highway.h>
 
-#include <cstdint>
-
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
 {
@@ -58,11 +56,17 @@ struct SpanLine
   HWY_INLINE SpanVector At(SpanVector row) const { return hn::MulAdd(this->Slope, row, this->Offset); }
 };
 
-/// The first line where a mask takes it, the second where another does, else the side of the box itself.
-HWY_INLINE SpanLine Pick(SpanMask takesFirst, const SpanLine& first, SpanMask takesSecond, const SpanLine& second)
+/// The first line where the mask takes it, else the second.
+HWY_INLINE SpanLine Pick(SpanMask takesFirst, const SpanLine& first, const SpanLine& second)
 {
-  return { hn::IfThenElse(takesFirst, first.Slope, hn::IfThenElseZero(takesSecond, second.Slope)),
-    hn::IfThenElse(takesFirst, first.Offset, hn::IfThenElseZero(takesSecond, second.Offset)) };
+  return { hn::IfThenElse(takesFirst, first.Slope, second.Slope),
+    hn::IfThenElse(takesFirst, first.Offset, second.Offset) };
+}
+
+/// The line where the mask takes it, else the side of the box itself.
+HWY_INLINE SpanLine PickOrSide(SpanMask takes, const SpanLine& line)
+{
+  return { hn::IfThenElseZero(takes, line.Slope), hn::IfThenElseZero(takes, line.Offset) };
 }
 
 /// An edge of the outline, and which side of the lanes' cells it bounds, if any.
@@ -104,16 +108,16 @@ struct SpanOutline
   /// couples, of which three at most are on one side: of a second on one side there is one at most, it goes to `spare`.
   HWY_INLINE void TakeCouple(const SpanEdge& one, const SpanEdge& other, int at, int spare)
   {
-    this->Left[at] = Pick(one.IsLeft, one.FromLeft, other.IsLeft, other.FromLeft);
-    this->Right[at] = Pick(one.IsRight, one.FromRight, other.IsRight, other.FromRight);
+    this->Left[at] = Pick(one.IsLeft, one.FromLeft, PickOrSide(other.IsLeft, other.FromLeft));
+    this->Right[at] = Pick(one.IsRight, one.FromRight, PickOrSide(other.IsRight, other.FromRight));
     const auto areLeft = hn::And(one.IsLeft, other.IsLeft), areRight = hn::And(one.IsRight, other.IsRight);
-    this->Left[spare] = Pick(areLeft, other.FromLeft, hn::Not(areLeft), this->Left[spare]);
-    this->Right[spare] = Pick(areRight, other.FromRight, hn::Not(areRight), this->Right[spare]);
+    this->Left[spare] = Pick(areLeft, other.FromLeft, this->Left[spare]);
+    this->Right[spare] = Pick(areRight, other.FromRight, this->Right[spare]);
   }
   HWY_INLINE void Take(const SpanEdge& edge, int at)
   {
-    this->Left[at] = Pick(edge.IsLeft, edge.FromLeft, edge.IsLeft, edge.FromLeft);
-    this->Right[at] = Pick(edge.IsRight, edge.FromRight, edge.IsRight, edge.FromRight);
+    this->Left[at] = PickOrSide(edge.IsLeft, edge.FromLeft);
+    this->Right[at] = PickOrSide(edge.IsRight, edge.FromRight);
   }
 
   /// What a row has: where it begins in the box, and how many pixels, 0 or less where none.
