@@ -13,6 +13,7 @@
 #include "BenchmarkError.h"
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
+#include "BenchmarkThreads.h"
 #include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
 #include "HexahedraBenchmark.h"
@@ -204,8 +205,18 @@ int main(int argc, char* argv[])
   const int frames = argc > 1 ? std::atoi(argv[1]) : 9;
   const std::string name = argc > 2 ? argv[2] : "all";
   const std::string section = name == "all" ? "" : name;
+  // What BenchmarkThreads asks of a process of its own.
+  if (section == "threads-turn")
+  {
+    std::printf("%d\n", argc > 3 && BenchmarkThreads::Turn(std::atoi(argv[3])) ? 1 : 0);
+    return EXIT_SUCCESS;
+  }
   const bool isScaling = section == "scaling" || section == "scaling-tiny";
   const BenchmarkMesh mesh = isScaling ? BenchmarkMesh() : LoadBenchmarkMesh(folder ? folder : "");
+  if (section == "tiles-threads")
+  {
+    TilesBenchmark::RunThreads(mesh.Grid, frames, argc > 3 ? std::atoi(argv[3]) : 1);
+  }
   if (section.empty() || section == "mappers")
   {
     CompareMappersOnMeshes(mesh, frames);

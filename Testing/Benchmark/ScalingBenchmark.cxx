@@ -3,6 +3,7 @@
 #include "BenchmarkMachine.h"
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
+#include "BenchmarkThreads.h"
 #include "ScalingRow.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
@@ -19,6 +20,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <cstdlib>
 #include <fstream>
 #include <iostream>
 #include <map>
@@ -50,14 +52,6 @@ struct Run
   ScalingRow Row;
   std::unique_ptr<BenchmarkScene> Scene;
 };
-
-void UseThreads(int threads)
-{
-  if (vtkSMPTools::GetEstimatedNumberOfThreads() != threads)
-  {
-    vtkSMPTools::Initialize(threads);
-  }
-}
 
 class Scaling
 {
@@ -166,7 +160,7 @@ void Scaling::TimeFrames(std::vector<Run>& runs) const
     {
       if (spent[i] < this->With.SecondsPerRow)
       {
-        UseThreads(runs[i].Row.Threads);
+        BenchmarkThreads::Set(runs[i].Row.Threads);
         runs[i].Row.Frames.push_back(runs[i].Scene->TimeFrame(frame));
         spent[i] += runs[i].Row.Frames.back();
       }
@@ -199,7 +193,7 @@ void Scaling::MeasureError(const Case& what, const BenchmarkMapper& mapper, Scal
 //------------------------------------------------------------------------------
 void Scaling::TimeFirst(Run& run) const
 {
-  UseThreads(run.Row.Threads);
+  BenchmarkThreads::Set(run.Row.Threads);
   run.Row.First = run.Scene->TimeFrame(0);
   if (auto* ours = vtkConvexCellMapper::SafeDownCast(run.Scene->Volume->GetMapper()))
   {
@@ -236,7 +230,7 @@ void Scaling::Compare(const std::vector<Case>& cases, const std::vector<Benchmar
   std::vector<std::vector<ScalingRow>> rows(cases.size());
   for (Run& run : runs)
   {
-    UseThreads(run.Row.Threads);
+    BenchmarkThreads::Set(run.Row.Threads);
     run.Row.Stages = FrameStages::Measure(*run.Scene, static_cast<int>(run.Row.Frames.size()));
     run.Scene.reset();
     this->MeasureError(cases[run.Case], run.Mapper, run.Row);
@@ -307,16 +301,23 @@ void Scaling::CompareThreads()
   std::printf("\nAgainst threads\n");
   ScalingRow::PrintHeader();
   const int most = vtkSMPTools::GetEstimatedNumberOfThreads();
+  const bool isTurned = std::atoi(BenchmarkThreads::Ask("0 threads-turn " + std::to_string(most)).c_str()) == 1;
+  if (!isTurned && most > 1)
+  {
+    std::printf("fewer than %d threads left out: a process cannot change their number and back here; the section "
+                "tiles takes a process each\n",
+      most);
+  }
   for (const bool spiky : { false, true })
   {
     std::vector<Case> cases;
-    for (int threads = 1; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
+    for (int threads = isTurned ? 1 : most; threads <= most; threads = threads < most ? std::min(2 * threads, most) : most + 1)
     {
       cases.push_back({ "threads", this->With.CubesOfThreads, this->With.Size, spiky, threads });
     }
     this->Compare(cases, { BenchmarkMapper::Tiles() });
   }
-  UseThreads(most);
+  BenchmarkThreads::Set(most);
   this->PrintStages();
 }
 

@@ -11,6 +11,9 @@ namespace TilesBenchmark
 {
 /// All tables; `grid` with `name` stands beside the lattices.
 void Run(const std::string& name, vtkUnstructuredGrid* grid, int frames);
+
+/// For a process of its own: prints how many threads took part, and the seconds of a frame.
+void RunThreads(vtkUnstructuredGrid* grid, int frames, int threads);
 }
 
 #endif
