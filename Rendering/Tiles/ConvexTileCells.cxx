@@ -14,56 +14,66 @@
 
 namespace
 {
+// In pixels: the rounding of floats must not keep a pixel from a cell in double.
+constexpr float ExactMargin = 1.0f / 64.0f;
+
 bool HasFaceInDoubt(const ConvexTileMesh& mesh, const ConvexTileFaces& faces, int cell)
 {
   const int* row = mesh.Faces.GetRow(cell);
-  return std::any_of(row, row + mesh.Faces.GetSize(cell),
-    [&](int face) { return faces.Values[face].Side == 0.0f; });
+  unsigned char isAny = 0;
+  for (int i = 0; i < mesh.Faces.GetSize(cell); ++i)
+  {
+    isAny |= faces.InDoubt[row[i]];
+  }
+  return isAny != 0;
 }
 
-ConvexTileCells::Depths FindDepths(
-  const ConvexTileMesh& mesh, const TileVertices& vertices, int cell)
+/// Least and greatest x, y and u of a cell's corners; a corner without a place on the screen is OffScreen.
+struct Extent
 {
-  const int* ids = mesh.Corners.GetRow(cell);
-  ConvexTileCells::Depths depths = { TileVertices::OffScreen, -TileVertices::OffScreen };
-  for (int i = 0; i < mesh.Corners.GetSize(cell); ++i)
+  float Low[4], High[4];
+
+  Extent(const ConvexTileMesh& mesh, const TileVertices& vertices, int cell)
   {
-    const float* corner = &vertices.Values[4 * static_cast<std::size_t>(ids[i])];
-    if (corner[0] == TileVertices::OffScreen)
+    const int* ids = mesh.Corners.GetRow(cell);
+    const int count = mesh.Corners.GetSize(cell);
+    std::fill_n(this->Low, 4, TileVertices::OffScreen);
+    std::fill_n(this->High, 4, -TileVertices::OffScreen);
+    for (int i = 0; i < count; ++i)
     {
-      return { -TileVertices::OffScreen, TileVertices::OffScreen };
+      // The fourth, the scalar, comes along: all four are one vector.
+      const float* corner = &vertices.Values[4 * static_cast<std::size_t>(ids[i])];
+      for (int k = 0; k < 4; ++k)
+      {
+        this->Low[k] = std::min(corner[k], this->Low[k]);
+        this->High[k] = std::max(corner[k], this->High[k]);
+      }
     }
-    depths.Farthest = std::min(depths.Farthest, corner[2]);
-    depths.Nearest = std::max(depths.Nearest, corner[2]);
   }
-  return depths;
-}
+
+  bool IsOnScreen() const { return this->High[0] < TileVertices::OffScreen; }
+
+  ConvexTileCells::Depths GetDepths() const
+  {
+    return this->IsOnScreen() ? ConvexTileCells::Depths{ this->Low[2], this->High[2] }
+                              : ConvexTileCells::Depths{ -TileVertices::OffScreen, TileVertices::OffScreen };
+  }
+
+  /// The pixels inside of it and `margin` beyond.
+  std::array<int, 4> GetBox(const TileView& view, float margin) const
+  {
+    const float lastX = static_cast<float>(view.Width - 1), lastY = static_cast<float>(view.Height - 1);
+    return { { static_cast<int>(std::ceil(std::max(this->Low[0] - margin, 0.0f))),
+      static_cast<int>(std::ceil(std::max(this->Low[1] - margin, 0.0f))),
+      static_cast<int>(std::floor(std::min(this->High[0] + margin, lastX))),
+      static_cast<int>(std::floor(std::min(this->High[1] + margin, lastY))) } };
+  }
+};
 
 bool FallsFar(const TileView& view, const ConvexTileCells::Depths& depths)
 {
   return view.WeightScale * depths.Farthest + view.WeightOffset <
          ConvexTileCells::LeastShare * (view.WeightScale * depths.Nearest + view.WeightOffset);
-}
-
-std::array<int, 4> FindBox(
-  const ConvexTileMesh& mesh, const TileView& view, const TileVertices& vertices, int cell)
-{
-  const int* ids = mesh.Corners.GetRow(cell);
-  float low[2] = { TileVertices::OffScreen, TileVertices::OffScreen };
-  float high[2] = { -TileVertices::OffScreen, -TileVertices::OffScreen };
-  for (int i = 0; i < mesh.Corners.GetSize(cell); ++i)
-  {
-    const float* corner = &vertices.Values[4 * static_cast<std::size_t>(ids[i])];
-    for (int k = 0; k < 2; ++k)
-    {
-      low[k] = std::min(low[k], corner[k]);
-      high[k] = std::max(high[k], corner[k]);
-    }
-  }
-  return { { static_cast<int>(std::ceil(std::max(low[0], 0.0f))),
-    static_cast<int>(std::ceil(std::max(low[1], 0.0f))),
-    static_cast<int>(std::floor(std::min(high[0], static_cast<float>(view.Width - 1)))),
-    static_cast<int>(std::floor(std::min(high[1], static_cast<float>(view.Height - 1)))) } };
 }
 }
 
@@ -113,10 +123,12 @@ void ConvexTileCells::Project(const ConvexTileMesh& mesh, const TileView& view,
 void ConvexTileCells::ProjectCell(const ConvexTileMesh& mesh, const TileView& view,
   const TileVertices& vertices, const ConvexTileFaces& faces, bool isExact, int cell)
 {
-  this->Ranges[cell] = FindDepths(mesh, vertices, cell);
-  isExact = isExact || HasFaceInDoubt(mesh, faces, cell) || FallsFar(view, this->Ranges[cell]);
-  this->Exact[cell] = isExact ? 1 : 0;
+  const Extent extent(mesh, vertices, cell);
+  this->Ranges[cell] = extent.GetDepths();
+  const bool fallsFar = FallsFar(view, this->Ranges[cell]);
+  isExact = isExact || fallsFar || HasFaceInDoubt(mesh, faces, cell);
+  this->Exact[cell] = !isExact ? None : fallsFar || !extent.IsOnScreen() ? AlongRays : OnScreen;
   this->SetBox(cell,
-    isExact ? ConvexTileExactCell::FindBox(mesh, view, cell)
-            : FindBox(mesh, view, vertices, cell));
+    extent.IsOnScreen() ? extent.GetBox(view, isExact ? ExactMargin : 0.0f)
+                        : ConvexTileExactCell::FindBox(mesh, view, cell));
 }

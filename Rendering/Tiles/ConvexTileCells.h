@@ -32,8 +32,16 @@ public:
     float Farthest, Nearest;
   };
   std::vector<Depths> Ranges;
-  /** Not 0: the cell needs class ConvexTileExactCell. */
-  std::vector<unsigned char> Exact;
+  /** Not 0: floats do not serve the cell. */
+  enum Doubt : unsigned char
+  {
+    None,
+    /** All corners have a place on the screen: planes in double may serve. */
+    OnScreen,
+    /** It needs class ConvexTileExactCell. */
+    AlongRays
+  };
+  std::vector<Doubt> Exact;
 
   /** A ray's weight (class TileView) falls to a lesser share within no cell that floats serve; what
    *  is drawn in double is cut into parts, at most so many. */

@@ -18,20 +18,23 @@ class TileClusterBlocks;
 class TileVertices;
 class TileView;
 
-/// One line of a cache.
-struct alignas(64) ConvexTileFace
+template <class Number>
+struct alignas(64) ConvexTileFaceOf
 {
-  float X, Y, U, UA;
-  float UB, S, SA, SB;
-  float GX, GY, CU, CS;
-  /** 1 where the points of its larger triangle run counterclockwise, -1 clockwise, 0 where floats do
-   *  not serve. */
-  float Side;
+  Number X, Y, U, UA;
+  Number UB, S, SA, SB;
+  Number GX, GY, CU, CS;
+  /** 1 where the points of its larger triangle run counterclockwise, -1 clockwise, 0 where such numbers
+   *  do not serve. */
+  Number Side;
   /** Not 0: the other triangle runs the other way round; it is u + CU g all over. The diagonal ends at
    *  X + IsMixed GY, Y - IsMixed GX. */
-  float IsMixed;
-  float Unused[2];
+  Number IsMixed;
+  Number Unused[2];
 };
+
+/// One line of a cache.
+using ConvexTileFace = ConvexTileFaceOf<float>;
 
 class ConvexTileFaces
 {
@@ -60,6 +63,8 @@ public:
 
   /** One per face. */
   std::vector<ConvexTileFace> Values;
+  /** Not 0: floats do not serve. */
+  std::vector<unsigned char> InDoubt;
 };
 
 #endif

@@ -11,6 +11,7 @@
 #define ConvexTileLanes_inl_h
 #endif
 
+#include "ConvexTileEnds-inl.h"
 #include "ConvexTileExactCell.h"
 #include "ConvexTileRays.h"
 #include "TileMath-inl.h"
@@ -27,10 +28,6 @@ namespace CellProjectionTiles
 namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
-
-using LaneDouble = hn::CappedTag<double, 8>;
-using LaneVector = hn::Vec<LaneDouble>;
-using LaneMask = hn::Mask<LaneDouble>;
 
 /// A point or a direction for every lane.
 struct LanePoint

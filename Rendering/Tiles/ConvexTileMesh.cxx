@@ -27,8 +27,9 @@ void ConvexTileMesh::Build(const std::vector<float>& points, const ConvexCellFac
   this->OrderCells(cells.Corners);
   CopyRows(cells.Corners, this->Source, this->Corners);
   CopyRows(cells.Faces, this->Source, this->Faces);
-  this->Steps.resize(static_cast<std::size_t>(cells.GetNumberOfFaces()));
+  this->FaceKinds.resize(static_cast<std::size_t>(cells.GetNumberOfFaces()));
   this->FindSides(planes);
+  this->FindFaceKinds();
   this->FindSteps();
   this->FindEdges();
   this->Drawn.assign(this->Source.size(), 0);
@@ -107,14 +108,30 @@ void ConvexTileMesh::FindSides(const CellPlanes& planes)
 }
 
 //------------------------------------------------------------------------------
+void ConvexTileMesh::FindFaceKinds()
+{
+  for (int face = 0; face < this->GetNumberOfFaces(); ++face)
+  {
+    const int piece = this->Pieces->Offsets[face];
+    const std::array<int, 4>& ids = this->Pieces->Corners[piece];
+    this->FaceKinds[face] = static_cast<unsigned char>((ids[2] != ids[3] ? TwoTriangles : 0) |
+      (this->Pieces->Planes[face].IsWarped ? Warped : 0) |
+      (this->Pieces->Offsets[face + 1] > piece + 1 ? MoreTriangles : 0));
+  }
+}
+
+//------------------------------------------------------------------------------
 void ConvexTileMesh::FindSteps()
 {
   const bool mayStep = !this->CellScalars.empty();
-  std::fill(this->Steps.begin(), this->Steps.end(), static_cast<unsigned char>(mayStep ? 1 : 0));
+  for (unsigned char& kind : this->FaceKinds)
+  {
+    kind = static_cast<unsigned char>(mayStep ? kind | Step : kind & ~Step);
+  }
   // The first cell of a face makes it an end, the second one does not leave it so.
   for (const int face : this->Faces.Values)
   {
-    this->Steps[face] ^= mayStep ? 0 : 1;
+    this->FaceKinds[face] ^= mayStep ? 0 : Step;
   }
 }
 
@@ -221,7 +238,7 @@ float ConvexTileMesh::FindGreatest(int cell) const
 //------------------------------------------------------------------------------
 std::size_t ConvexTileMesh::GetMemorySize() const
 {
-  return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() + this->Steps.size() +
+  return 4 * (this->Points.size() + this->CellScalars.size()) + this->Sides.size() + this->FaceKinds.size() +
          this->Drawn.size() + this->IsSolid.size() + 2 * this->Edges.Ends.size() +
          4 * (this->Edges.Offsets.size() + this->Source.size() + this->Corners.Offsets.size() +
                this->Corners.Values.size() + this->Faces.Offsets.size() + this->Faces.Values.size());

@@ -31,7 +31,7 @@ public:
   bool SetDrawn(const std::vector<unsigned int>& cells);
 
   int GetNumberOfCells() const { return this->Corners.GetNumberOfRows(); }
-  int GetNumberOfFaces() const { return static_cast<int>(this->Steps.size()); }
+  int GetNumberOfFaces() const { return static_cast<int>(this->FaceKinds.size()); }
   std::size_t GetMemorySize() const;
 
   /** The greatest scalar of a cell's corners. */
@@ -51,6 +51,8 @@ public:
   EdgeRows Edges;
   static constexpr int MostCorners = 32;
   static constexpr int MostEdges = 64;
+  /** Of a cell of planes on the screen. */
+  static constexpr int MostFaces = 32;
   const FacePieces* Pieces = nullptr;
   /** x, y, z, scalar. */
   std::vector<float> Points;
@@ -59,8 +61,17 @@ public:
   /** Per face of each cell, in the order of Faces: 1 where the face's normal points into the
    *  cell, -1 where out of it. */
   std::vector<signed char> Sides;
-  /** Per face: whether the scalar may step there, or the mesh ends. */
-  std::vector<unsigned char> Steps;
+  /** Per face, bit by bit. */
+  enum FaceKind : unsigned char
+  {
+    /** The scalar may step there, or the mesh ends. */
+    Step = 1,
+    TwoTriangles = 2,
+    /** The two lie in planes of their own. */
+    Warped = 4,
+    MoreTriangles = 8
+  };
+  std::vector<unsigned char> FaceKinds;
   std::vector<unsigned char> Drawn;
 
 private:
@@ -68,6 +79,7 @@ private:
   static void CopyRows(
     const ConvexCellFaces::Rows& from, const std::vector<int>& rows, ConvexCellFaces::Rows& to);
   void FindSides(const CellPlanes& planes);
+  void FindFaceKinds();
   void FindSteps();
   void FindEdges();
   void AddEdges(int cell);

@@ -13,6 +13,8 @@
 #include "ConvexTileMesh.h"
 #include "ConvexTileTask.h"
 #include "TileBlocks-inl.h"
+#include "TileExactCoverage-inl.h"
+#include "TileFragments.h"
 #include "TileVertices.h"
 
 #include <hwy/highway.h>
@@ -20,6 +22,7 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -32,7 +35,9 @@ namespace hn = hwy::HWY_NAMESPACE;
 class EdgeList
 {
 public:
-  EdgeList(const ConvexTileTask& task, int cell, const CellBox& box)
+  /// `faceAt`: as that of class CellFaces.
+  template <class FaceAt>
+  EdgeList(const ConvexTileTask& task, int cell, const CellBox& box, const FaceAt& faceAt)
     : Corner{ static_cast<float>(box.FirstX), static_cast<float>(box.FirstY) }
   {
     const ConvexTileMesh& mesh = *task.Mesh;
@@ -42,16 +47,16 @@ public:
     for (int i = begin; i < end; ++i)
     {
       const std::array<unsigned char, 2>& ends = mesh.Edges.Ends[i];
-      this->Add(points + 4 * static_cast<std::size_t>(ids[ends[0]]),
-        points + 4 * static_cast<std::size_t>(ids[ends[1]]));
+      const float* const a = points + 4 * static_cast<std::size_t>(ids[ends[0]]);
+      const float* const b = points + 4 * static_cast<std::size_t>(ids[ends[1]]);
+      this->Add(a[0], a[1], b[0], b[1]);
     }
     for (int at = mesh.Faces.Offsets[cell]; at < mesh.Faces.Offsets[cell + 1] && this->Count > 0; ++at)
     {
-      const ConvexTileFace& face = task.Faces->Values[mesh.Faces.Values[at]];
-      if (face.IsMixed != 0.0f)
+      const auto& face = faceAt(at);
+      if (face.IsMixed != 0)
       {
-        const float end[2] = { face.X + face.IsMixed * face.GY, face.Y - face.IsMixed * face.GX };
-        this->Add(&face.X, end);
+        this->Add(face.X, face.Y, face.X + face.IsMixed * face.GY, face.Y - face.IsMixed * face.GX);
       }
     }
     this->SetUp();
@@ -99,16 +104,17 @@ private:
     }
   }
 
-  HWY_INLINE void Add(const float* a, const float* b)
+  template <class Number>
+  HWY_INLINE void Add(Number x, Number y, Number endX, Number endY)
   {
-    this->X[this->Count] = a[0];
-    this->Y[this->Count] = a[1];
-    this->EndX[this->Count] = b[0];
-    this->EndY[this->Count] = b[1];
+    this->X[this->Count] = static_cast<float>(x);
+    this->Y[this->Count] = static_cast<float>(y);
+    this->EndX[this->Count] = static_cast<float>(endX);
+    this->EndY[this->Count] = static_cast<float>(endY);
     ++this->Count;
   }
 
-  static constexpr int Most = ConvexTileMesh::MostEdges + CellFaces::Most;
+  static constexpr int Most = ConvexTileMesh::MostEdges + ConvexTileMesh::MostFaces;
   const float Corner[2];
   int Count = 0;
   // In the end the lower end, and in EndY how much higher the upper one is.
@@ -149,6 +155,90 @@ struct RowSpans
     }
   }
 };
+
+/// The pixel of the tile's where a box begins.
+inline int CornerPixel(const CellBox& box, const TileRectangle& tile)
+{
+  return (box.FirstY - tile.Bottom) * TileSize::Pixels + box.FirstX - tile.Left;
+}
+
+/// Puts the pixels of all rows at the end of the queue; returns how many it has then.
+inline int AppendSpans(const RowSpans& spans, int height, int corner, TileFragments& out)
+{
+  const CoverInt di;
+  int count = out.Count;
+  for (int row = 0; row < height; ++row)
+  {
+    const int first = spans.First[row], size = spans.Last[row] - first + 1;
+    const int pixel = corner + row * TileSize::Pixels + first;
+    for (int k = 0; k < size; k += static_cast<int>(hn::Lanes(di)))
+    {
+      hn::StoreU(Ramp(di, pixel + k), di, out.Pixel + count + k);
+    }
+    count += std::max(size, 0);
+  }
+  return count;
+}
+
+/// Floats as they are, and of doubles.
+HWY_INLINE CoverVector ToFloats(CoverVector values) { return values; }
+HWY_INLINE auto ToFloats(LaneVector values)
+{
+  return hn::DemoteTo(hn::Rebind<float, LaneDouble>(), values);
+}
+HWY_INLINE CoverVector FromIntegers(CoverFloat d, hn::Vec<CoverInt> values)
+{
+  return hn::ConvertTo(d, values);
+}
+HWY_INLINE LaneVector FromIntegers(
+  LaneDouble d, hn::Vec<hn::Rebind<std::int32_t, LaneDouble>> values)
+{
+  return hn::PromoteTo(d, values);
+}
+
+/// A full vector of fragments.
+template <class D>
+HWY_INLINE void StoreFragments(const BlockEnd<D>& entry, const BlockEnd<D>& exit,
+  hn::Vec<hn::Rebind<std::int32_t, D>> pixel, int at, TileFragments& out)
+{
+  const hn::Rebind<float, D> d;
+  hn::StoreU(ToFloats(entry.U), d, out.Entry + at);
+  hn::StoreU(ToFloats(hn::Sub(entry.U, exit.U)), d, out.Extent + at);
+  hn::StoreU(ToFloats(entry.S), d, out.ScalarIn + at);
+  hn::StoreU(ToFloats(exit.S), d, out.ScalarOut + at);
+  hn::StoreU(pixel, hn::Rebind<std::int32_t, D>(), out.Pixel + at);
+}
+
+/// The pixels between a cell's edges first, then the rest of their fragments in full vectors.
+template <class D>
+void CoverSpans(
+  const CellEnds<D>& ends, const RowSpans& spans, int height, int corner, TileFragments& out)
+{
+  const D d;
+  const hn::Rebind<std::int32_t, D> di;
+  const int end = AppendSpans(spans, height, corner, out), lanes = static_cast<int>(hn::Lanes(d));
+  int count = out.Count;
+  for (int at = count; at < end; at += lanes)
+  {
+    const auto pixel = hn::LoadU(di, out.Pixel + at), place = hn::Sub(pixel, hn::Set(di, corner));
+    BlockEnd<D> entry, exit;
+    ends.Find(FromIntegers(d, hn::And(place, hn::Set(di, TileSize::Pixels - 1))),
+      FromIntegers(d, hn::ShiftRight<TileSize::Shift>(place)), entry, exit);
+    const auto used = hn::FirstN(d, static_cast<std::size_t>(end - at));
+    const auto covered = hn::And(used, hn::Lt(exit.U, entry.U));
+    // No more than were read: a place that is written to was read before.
+    if (hn::AllTrue(d, covered))
+    {
+      StoreFragments(entry, exit, pixel, count, out);
+      count += lanes;
+    }
+    else
+    {
+      count = AppendFragments(covered, entry.U, exit.U, entry.S, exit.S, pixel, count, out);
+    }
+  }
+  out.Count = count;
+}
 }
 }
 HWY_AFTER_NAMESPACE();

@@ -4,10 +4,10 @@
 #ifndef ConvexTileTask_h
 #define ConvexTileTask_h
 
+#include "ConvexTileFaces.h"
 #include "TileTask.h"
 
 class ConvexTileCells;
-class ConvexTileFaces;
 class ConvexTileMesh;
 class ConvexTileRays;
 
@@ -19,6 +19,7 @@ struct ConvexTileTask
   const ConvexTileRays* Rays = nullptr;
   const ConvexTileFaces* Faces = nullptr;
   const ConvexTileCells* Cells = nullptr;
+  ConvexTileFaces::Bounds Bounds;
   /** Whether cells are left out of which the limits leave nothing in a tile. */
   bool LeavesOut = false;
 };

@@ -75,6 +75,7 @@ void ConvexTilesFrame::SetCells(
   this->Task.Rays = &this->Rays;
   this->Task.Faces = &this->Faces;
   this->Task.Cells = &this->Cells;
+  this->Task.Bounds = bounds;
 }
 
 //------------------------------------------------------------------------------

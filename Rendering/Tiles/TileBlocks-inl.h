@@ -117,12 +117,6 @@ private:
   const CoverVector Y;
 };
 
-HWY_INLINE CoverVector LinearAt(float a, float b, float p, CoverVector x, CoverVector y)
-{
-  const CoverFloat d;
-  return hn::MulAdd(hn::Set(d, a), x, hn::MulAdd(hn::Set(d, b), y, hn::Set(d, p)));
-}
-
 /// Puts the lanes of `covered` at `at`; returns where the next ones go.
 HWY_INLINE int AppendFragments(hn::Mask<CoverFloat> covered, CoverVector entry, CoverVector exit,
   CoverVector scalarIn, CoverVector scalarOut, hn::Vec<CoverInt> pixel, int at, TileFragments& out)

@@ -51,14 +51,14 @@ inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const Til
   return hn::Lt(exit, entry);
 }
 
-/// Appends the lanes of `covered`; `pixel` is that of the first lane.
-inline void AppendExactLanes(hn::Mask<ExactFloat> covered, ExactVector entry, ExactVector exit,
-  ExactVector scalarIn, ExactVector scalarOut, int pixel, TileFragments& out)
+/// Puts the lanes of `covered` at `at`; returns where the next ones go.
+inline int AppendFragments(hn::Mask<ExactFloat> covered, ExactVector entry, ExactVector exit,
+  ExactVector scalarIn, ExactVector scalarOut, hn::Vec<hn::Rebind<std::int32_t, ExactFloat>> pixel,
+  int at, TileFragments& out)
 {
   const ExactFloat d;
   const hn::Rebind<float, ExactFloat> df;
   const hn::Rebind<std::int32_t, ExactFloat> di;
-  const int at = out.Count;
   std::uint8_t bits[8] = {};
   hn::StoreMaskBits(d, covered, bits);
   const LanePacker<decltype(df)> pack(df, hn::LoadMaskBits(df, bits));
@@ -68,8 +68,8 @@ inline void AppendExactLanes(hn::Mask<ExactFloat> covered, ExactVector entry, Ex
   store(hn::Sub(entry, exit), out.Extent);
   store(scalarIn, out.ScalarIn);
   store(scalarOut, out.ScalarOut);
-  hn::StoreU(pack(Ramp(di, pixel)), di, out.Pixel + at);
-  out.Count = at + static_cast<int>(hn::CountTrue(d, covered));
+  hn::StoreU(pack(pixel), di, out.Pixel + at);
+  return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
 /// The same of a tetrahedron.
@@ -80,8 +80,8 @@ inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered,
   const auto perU = hn::Set(d, cell.ScalarC);
   const auto scalar = hn::MulAdd(
     hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
-  AppendExactLanes(covered, entry, exit, hn::MulAdd(perU, entry, scalar),
-    hn::MulAdd(perU, exit, scalar), pixel, out);
+  out.Count = AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, scalar),
+    hn::MulAdd(perU, exit, scalar), Ramp(hn::Rebind<std::int32_t, ExactFloat>(), pixel), out.Count, out);
 }
 
 /// A cell in double: see class TileExactCell.

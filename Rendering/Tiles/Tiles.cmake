@@ -43,10 +43,13 @@ list(APPEND private_headers
   Rendering/Tiles/ConvexTileCoverage-inl.h
   Rendering/Tiles/ConvexTileEnds-inl.h
   Rendering/Tiles/ConvexTileExactCell.h
+  Rendering/Tiles/ConvexTileExactCoverage-inl.h
+  Rendering/Tiles/ConvexTileFaceLanes-inl.h
   Rendering/Tiles/ConvexTileFaces.h
   Rendering/Tiles/ConvexTileLanes-inl.h
   Rendering/Tiles/ConvexTileMesh.h
   Rendering/Tiles/ConvexTileRays.h
+  Rendering/Tiles/ConvexTileScreenFaces-inl.h
   Rendering/Tiles/ConvexTileSpans-inl.h
   Rendering/Tiles/ConvexTileTask.h
   Rendering/Tiles/ConvexTilesFrame.h
