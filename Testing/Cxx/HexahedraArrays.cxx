@@ -6,7 +6,7 @@
 #include <numeric>
 
 //------------------------------------------------------------------------------
-HexahedraArrays::HexahedraArrays(int n)
+HexahedraArrays::HexahedraArrays(int n, const std::function<void(float* point)>& move)
 {
   const MeshLattice::Grid grid = MeshLattice(n, n, n).Make();
   for (vtkIdType id = 0; id < grid->GetNumberOfPoints(); ++id)
@@ -18,6 +18,10 @@ HexahedraArrays::HexahedraArrays(int n)
       this->Points.push_back(static_cast<float>(2.0 * x / n - 1.0));
     }
     this->Points.push_back(0.0f);
+    if (move)
+    {
+      move(&this->Points[this->Points.size() - 4]);
+    }
     this->Scalars.push_back(static_cast<float>((point[0] + point[1] * point[2] / n) / (2.0 * n)));
   }
   this->Cells.Build(grid);

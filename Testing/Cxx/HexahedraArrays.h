@@ -5,12 +5,14 @@
 #include "ConvexCellFaces.h"
 #include "FacePieces.h"
 
+#include <functional>
 #include <vector>
 
 /// A lattice of n^3 hexahedra in [-1, 1]^3 as the mappers prepare it, for engines without a window.
 struct HexahedraArrays
 {
-  explicit HexahedraArrays(int n);
+  /// `move`: takes a point of the lattice elsewhere.
+  explicit HexahedraArrays(int n, const std::function<void(float* point)>& move = {});
 
   template <class Engine>
   void SetMesh(Engine& engine) const
