@@ -11,30 +11,29 @@ failed=0
 
 complain()
 {
-  echo "checks: $1" >&2
+  printf '%s\n' "$2" | sed "s/^/checks: $1: /" >&2
   failed=1
+}
+
+# A process for all files, not one for each.
+on()
+{
+  list=$1
+  shift
+  printf '%s\n' "$list" | LC_ALL=C xargs -d '\n' "$@" || true
 }
 
 IFS='
 '
-for file in $files; do
-  [ -f "$file" ] || continue
-  case $file in
-    *.glsl) limit=60 ;;
-    *.cxx | *.h | *.py | *.cmake | *.in | *.sh | *.xml | *CMakeLists.txt | *vtk.module | Makefile | .ci/*) limit=400 ;;
-    *) limit=0 ;;
-  esac
-  if [ "$limit" -gt 0 ]; then
-    if [ "$(wc -l <"$file")" -ge "$limit" ]; then
-      complain "$file has $limit lines or more"
-    fi
-    if LC_ALL=C grep -n '[^[:print:][:space:]]' "$file" >&2; then
-      complain "$file is not ASCII"
-    fi
-  fi
-  if grep -InE '(^|[^A-Za-z0-9_.-])/(work|home|root)/' "$file" >&2; then
-    complain "$file names a folder of one machine"
-  fi
-done
+present=$(for file in $files; do [ ! -f "$file" ] || printf '%s\n' "$file"; done)
+sources=$(printf '%s\n' "$present" |
+  grep -E '\.(glsl|cxx|h|py|cmake|in|sh|xml)$|CMakeLists\.txt$|vtk\.module$|^Makefile$|^\.ci/')
+long=$(on "$sources" awk \
+  '{ limit = FILENAME ~ /\.glsl$/ ? 60 : 400 } FNR == limit { print FILENAME " has " limit " lines or more" }')
+[ -z "$long" ] || complain "too long" "$long"
+foreign=$(on "$sources" grep -Hn '[^[:print:][:space:]]')
+[ -z "$foreign" ] || complain "not ASCII" "$foreign"
+folders=$(on "$present" grep -HInE '(^|[^A-Za-z0-9_.-])/(work|home|root)/')
+[ -z "$folders" ] || complain "a folder of one machine" "$folders"
 [ "$failed" -eq 0 ] && echo "checks: passed"
 exit "$failed"
