@@ -1,5 +1,6 @@
 // Something opaque that comes and goes: Tiles look for it while they draw, and draw again where it is there. Every
-// frame is that of a mapper that knew before, and counts the same, whoever of vtkSMPTools' backends draws.
+// frame is that of a mapper that knew before, and counts the same, whoever of vtkSMPTools' backends draws: of frames
+// that are drawn coarser, and of viewports that share a mapper, too.
 
 #include "OpaquePlane.h"
 #include "PolyhedraScene.h"
@@ -9,9 +10,13 @@
 #include "vtkActorCollection.h"
 #include "vtkCamera.h"
 #include "vtkSMPTools.h"
+#include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <functional>
 #include <iostream>
+#include <memory>
+#include <string>
 #include <vector>
 
 namespace
@@ -70,6 +75,116 @@ void CheckChanges(TestChecks& checks, TestScene& scene, double plane)
   CHECK(Show(scene) == known);
 }
 
+// The plane at `z` in one of two viewports, or in none.
+enum Place
+{
+  Nowhere,
+  First,
+  Second
+};
+constexpr float Coarse = 3.0f;
+using Make = std::function<std::unique_ptr<TestScene>()>;
+
+/// A scene, and which of its viewports has a plane.
+struct ChangingScene
+{
+  std::unique_ptr<TestScene> Scene;
+  vtkSmartPointer<vtkRenderer> Beside;
+  vtkSmartPointer<vtkActor> Plane;
+
+  ChangingScene(const Make& make, bool hasTwo)
+    : Scene(make())
+  {
+    Prepare(*this->Scene);
+    this->Beside = hasTwo ? this->Scene->AddSecondViewport() : nullptr;
+    OpaquePlane::Add(*this->Scene, 0.3, 0.3);
+    this->Plane = this->Scene->Renderer->GetActors()->GetLastActor();
+    if (hasTwo)
+    {
+      // From elsewhere: what is known of the one viewport is wrong in the other.
+      vtkNew<vtkCamera> camera;
+      camera->DeepCopy(this->Scene->Renderer->GetActiveCamera());
+      camera->Azimuth(50.0);
+      camera->SetViewAngle(25.0);
+      this->Beside->SetActiveCamera(camera);
+      this->Beside->SetBackground(0.4, 0.1, 0.3);
+    }
+  }
+
+  Shown ShowWith(Place place)
+  {
+    this->Scene->Renderer->RemoveActor(this->Plane);
+    if (this->Beside)
+    {
+      this->Beside->RemoveActor(this->Plane);
+    }
+    if (place != Nowhere)
+    {
+      (place == First ? this->Scene->Renderer : this->Beside)->AddActor(this->Plane);
+    }
+    return Show(*this->Scene);
+  }
+};
+
+/// What a mapper shows first of all, every pixel or as coarsely as that.
+Shown ShowFresh(const Make& make, bool hasTwo, Place place, bool isCoarse)
+{
+  ChangingScene fresh(make, hasTwo);
+  fresh.Scene->Mapper->AutoAdjustSampleDistancesOff();
+  fresh.Scene->Mapper->SetImageSampleDistance(isCoarse ? Coarse : 1.0f);
+  return fresh.ShowWith(place);
+}
+
+// In turns at rest and while the window asks for more frames than there is time for.
+void CheckFrames(TestChecks& checks, const Make& make, bool hasTwo)
+{
+  ChangingScene scene(make, hasTwo);
+  scene.Scene->Mapper->SetMaximumImageSampleDistance(Coarse);
+  scene.ShowWith(Nowhere);
+  const std::vector<Place> places =
+    hasTwo ? std::vector<Place>{ Nowhere, First, Second } : std::vector<Place>{ Nowhere, First };
+  std::vector<Shown> expected[2];
+  for (const bool isCoarse : { false, true })
+  {
+    for (const Place place : places)
+    {
+      expected[isCoarse ? 1 : 0].push_back(ShowFresh(make, hasTwo, place, isCoarse));
+    }
+  }
+  CHECK(expected[1][0].Colors != expected[0][0].Colors);
+  CHECK(expected[1][1].Colors != expected[0][1].Colors && expected[1][1].Colors != expected[1][0].Colors);
+  struct
+  {
+    Place At;
+    bool IsCoarse;
+  } const frames[] = { { Nowhere, true }, { First, true }, { First, true }, { First, false }, { Nowhere, true },
+    { First, false }, { Nowhere, false }, { First, true }, { Second, true }, { Second, false }, { First, false },
+    { Second, true }, { Nowhere, true }, { Nowhere, false } };
+  for (const auto& frame : frames)
+  {
+    const Place place = frame.At == Second && !hasTwo ? First : frame.At;
+    scene.Scene->Window->SetDesiredUpdateRate(frame.IsCoarse ? 1e7 : 1e-4);
+    const Shown shown = scene.ShowWith(place);
+    CHECK(shown == expected[frame.IsCoarse ? 1 : 0][place]);
+    // Said of coarse frames alone.
+    CHECK((scene.Scene->Mapper->GetLastStatistics()->GetColumnByName("ImageSampleDistance") != nullptr) == frame.IsCoarse);
+  }
+}
+
+void CheckSharing(TestChecks& checks)
+{
+  std::vector<Make> makers = { [] { return std::make_unique<TestScene>(150, 140); } };
+  for (const PolyhedraMappers::Entry& mapper : PolyhedraMappers::Exact())
+  {
+    makers.push_back([mapper] { return std::make_unique<PolyhedraScene>(mapper.Make(), 150, 140); });
+  }
+  for (const Make& make : makers)
+  {
+    CheckFrames(checks, make, false);
+    CheckFrames(checks, make, true);
+  }
+}
+
 // Of one tile some backends ask at the start only.
 void CheckMappers(TestChecks& checks)
 {
@@ -103,6 +218,10 @@ int TestOpaqueChanges(int, char*[])
       continue;
     }
     CheckMappers(checks);
+    if (std::string(backend) == "STDThread")
+    {
+      CheckSharing(checks);
+    }
   }
   return checks.Result();
 }
