@@ -35,12 +35,16 @@ public:
   using Face = ConvexTileFaceOf<double>;
 
   /// Of a cell whose corners all lie between the near and the far plane; false where one of its faces is
-  /// seen edge-on even so, or has more than two triangles.
+  /// seen edge-on even so, or has more than two triangles, and where there are too many.
   bool SetUp(const ConvexTileTask& task, int cell)
   {
     const ConvexCellFaces::Rows& rows = task.Mesh->Faces;
     const FaceLimits<double> limits(*task.Common.View, task.Bounds);
     const int count = rows.GetSize(cell), lanes = static_cast<int>(hn::Lanes(LaneDouble()));
+    if (count > ConvexTileMesh::MostFaces)
+    {
+      return false;
+    }
     for (int first = 0; first < count; first += lanes)
     {
       if (!this->Gather(*task.Mesh, rows.GetRow(cell) + first, count - first))
