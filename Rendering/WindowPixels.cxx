@@ -157,7 +157,7 @@ void WindowPixels::Blend(const float* image, int width)
       {
         const auto first = static_cast<std::size_t>(box[1] + y) * width + box[0];
         PixelBlending::LayOver(
-          image + 4 * first, box[2], &this->Colors[4 * static_cast<std::size_t>(y) * box[2]]);
+          image + 4 * first, box[2], this->Colors.data() + 4 * static_cast<std::size_t>(y) * box[2]);
       }
     });
 }

@@ -141,6 +141,10 @@ void CheckSameAsGL(TestChecks& checks, vtkRenderWindow* window)
   const int beside[2] = { 40, 3 };
   const std::vector<unsigned char> after = framebuffer.ReadColors();
   CHECK(!Lays(framebuffer.Window, beside, image));
+  // A volume beside the viewport has rows and no columns there.
+  WindowPixels none;
+  CHECK(none.Read(framebuffer.Window, Origin, { { 0, 4, 0, 30 } }));
+  CHECK(none.LayOver(image.data(), ViewportSize[0]));
   CHECK(framebuffer.ReadColors() == after);
 }
 
