@@ -7,6 +7,8 @@ BUILD := build
 # Which tests: LABEL=core takes those that a change must pass in minutes, WITHOUT=windowless those that open windows.
 LABEL :=
 WITHOUT :=
+# Which of them make test-newest runs in OSMesa's windows: LABEL's, or window for those that show what a window may break.
+OSMESA_LABEL :=
 CMAKE_OPTIONS :=
 
 # The Python that Debian's VTK is wrapped for, whatever python3 comes first on PATH.
@@ -56,7 +58,7 @@ pythonpath:
 
 # The same sources and tests in a root of Debian's testing release, with EGL, then OSMesa.
 test-newest:
-	@Module/NewestVTK/test.sh $(LABEL)
+	@CMAKE_OPTIONS="$(CMAKE_OPTIONS)" Module/NewestVTK/test.sh "$(LABEL)" "$(OSMESA_LABEL)"
 
 # The kernels of the Tiles engines and their tests with ThreadSanitizer and AddressSanitizer.
 sanitize:

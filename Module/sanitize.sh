@@ -9,10 +9,21 @@ export VTK_SMP_BACKEND_IN_USE=STDThread
 export TSAN_OPTIONS="suppressions=$root/Module/sanitize-threads.txt"
 # What VTK and the drivers keep to the end is not ours.
 export ASAN_OPTIONS=detect_leaks=0
-for sanitizer in thread address
-do
-  folder=$root/build-sanitize-$sanitizer
-  cmake -S Module -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCELLPROJECTION_SANITIZE=$sanitizer >/dev/null
-  cmake --build "$folder"
+
+run()
+{
+  folder=$root/build-sanitize-$1
+  cmake -S Module -B "$folder" -G Ninja -DCMAKE_BUILD_TYPE=None -DCELLPROJECTION_SANITIZE="$1" >/dev/null
+  cmake --build "$folder" -j "$(nproc)"
   (cd "$folder" && ctest --output-on-failure --no-tests=error)
-done
+}
+
+# Side by side: two files take most of each build, and a test most of its tests.
+run thread &
+thread=$!
+run address &
+address=$!
+failed=0
+wait "$thread" || failed=1
+wait "$address" || failed=1
+exit "$failed"

@@ -1,14 +1,17 @@
 #!/bin/sh
-# test.sh [LABEL]: builds in a root of Debian's testing release, then runs the tests in a window of either class that
-# needs no display. LABEL is core or long; without it every test runs.
+# test.sh [LABEL [OSMESA_LABEL]]: builds in a root of Debian's testing release, then runs the tests in a window of
+# either class that needs no display. LABEL is core or long, OSMESA_LABEL the same or window, for OSMesa alone; without
+# them every test runs. CMAKE_OPTIONS in the environment come after those here.
 set -eu
 cd "$(dirname "$0")/../.."
 label=${1:-}
+osmesa_label=${2:-$label}
 Module/setup.sh Module/NewestVTK/host-packages.txt
 inside=Module/NewestVTK/enter.sh
 # What is deprecated in the newest VTK will be gone in the next: it fails the build here. And so does a file of the
 # libraries that leaves an include to the precompiled headers.
-options="-Wno-dev -DCELLPROJECTION_DEPRECATED_IS_ERROR=ON -DCELLPROJECTION_PRECOMPILE_MODULES=OFF"
+options="-Wno-dev -DCELLPROJECTION_DEPRECATED_IS_ERROR=ON -DCELLPROJECTION_PRECOMPILE_MODULES=OFF \
+-DCELLPROJECTION_BENCHMARKS=ON -DCELLPROJECTION_TEST_OPTIONS= -DCELLPROJECTION_FEWER_TARGETS=OFF ${CMAKE_OPTIONS:-}"
 $inside make build BUILD=build-newest "CMAKE_OPTIONS=$options"
 without=
 for window in vtkEGLRenderWindow vtkOSOpenGLRenderWindow; do
@@ -18,4 +21,5 @@ for window in vtkEGLRenderWindow vtkOSOpenGLRenderWindow; do
   $inside make test BUILD=build-newest "CMAKE_OPTIONS=$options" "LABEL=$label" "WITHOUT=$without"
   # What opens no window has been tested with the first class of windows.
   without=windowless
+  label=$osmesa_label
 done

@@ -22,7 +22,7 @@ function(cellprojection_precompile_headers target)
   target_precompile_headers(${target} PRIVATE ${cellprojection_standard_headers} ${cellprojection_vtk_headers})
 endfunction()
 
-if(CELLPROJECTION_PRECOMPILE_MODULES)
+if(CELLPROJECTION_PRECOMPILE_MODULES AND TARGET CellProjection)
   cellprojection_precompile_headers(CellProjection)
   # A shader's text includes nothing.
   get_target_property(shader_texts CellProjection SOURCES)
@@ -31,8 +31,10 @@ if(CELLPROJECTION_PRECOMPILE_MODULES)
     TARGET_DIRECTORY CellProjection
     PROPERTIES SKIP_PRECOMPILE_HEADERS ON)
 endif()
-if(CELLPROJECTION_PRECOMPILE_TESTS AND BUILD_TESTING)
+if(CELLPROJECTION_PRECOMPILE_TESTS AND TARGET CellProjectionTests)
   cellprojection_precompile_headers(CellProjectionTests)
+endif()
+if(CELLPROJECTION_PRECOMPILE_TESTS AND TARGET CellProjectionBenchmark)
   cellprojection_precompile_headers(CellProjectionBenchmark)
   # Both are built with the same flags.
   target_precompile_headers(CellProjectionReport REUSE_FROM CellProjectionBenchmark)

@@ -6,6 +6,8 @@ find_package(VTK 9.1 REQUIRED COMPONENTS
   CommonCore CommonDataModel CommonExecutionModel CommonMath FiltersCore FiltersGeneral FiltersSources IOLegacy
   RenderingCore RenderingOpenGL2 RenderingVolume)
 
+include("${CMAKE_CURRENT_LIST_DIR}/PrecompiledHeaders.cmake")
+
 set(classes)
 set(sources)
 set(private_headers)
@@ -50,6 +52,9 @@ function(cellprojection_add_kernels name)
   target_link_options(${name} PRIVATE "-fsanitize=${CELLPROJECTION_SANITIZE}")
   target_link_libraries(${name} PRIVATE ${VTK_LIBRARIES} hwy::hwy glm::glm)
   vtk_module_autoinit(TARGETS ${name} MODULES ${VTK_LIBRARIES})
+  if(CELLPROJECTION_PRECOMPILE_TESTS)
+    cellprojection_precompile_headers(${name})
+  endif()
   foreach(test IN LISTS kernels_TESTS)
     get_filename_component(test_name "${test}" NAME_WE)
     add_test(NAME "Sanitized-${test_name}" COMMAND ${name} "${test_name}")
