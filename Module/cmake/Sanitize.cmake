@@ -14,7 +14,10 @@ set(private_headers)
 include("${cellprojection_root}/Rendering/Tiles/Tiles.cmake")
 # The adapter to the mappers.
 list(REMOVE_ITEM sources Rendering/PolyhedraTiles.cxx)
-set(tiles_sources ${sources}
+# First what takes minutes alone: all else is compiled beside it.
+set(longest_sources Rendering/Tiles/TileLitShading.cxx Rendering/Tiles/TileProjection.cxx)
+list(REMOVE_ITEM sources ${longest_sources})
+set(tiles_sources ${longest_sources} ${sources}
   Rendering/CellPlanes.cxx
   Rendering/ConvexCellFaces.cxx
   Rendering/FacePieces.cxx
@@ -36,7 +39,7 @@ function(cellprojection_add_kernels name)
   create_test_sourcelist(driver ${name}.cxx ${kernels_TESTS})
   list(GET driver 0 driver_main)
   list(TRANSFORM kernels_TESTS PREPEND "${cellprojection_root}/Testing/Cxx/" OUTPUT_VARIABLE test_sources)
-  add_executable(${name} ${driver_main} ${test_sources} ${kernels_HELPERS} ${kernels_SOURCES})
+  add_executable(${name} ${kernels_SOURCES} ${driver_main} ${test_sources} ${kernels_HELPERS})
   target_include_directories(${name} PRIVATE
     "${CMAKE_BINARY_DIR}/include"
     "${cellprojection_root}/Sorting"
