@@ -21,7 +21,9 @@
 
 #include <hwy/highway.h>
 
+#include <cstddef>
 #include <cstdint>
+#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -61,41 +63,52 @@ HWY_INLINE int CornerPixel(const TileGroup& g, int k)
   return g.Bottom[k] * TileSize::Pixels + g.Left[k];
 }
 
-/// The pixels of a row from its 17th on.
-HWY_NOINLINE inline void StoreLongRow(int start, int length, int* at)
+/// What is stored of a row at a time.
+using RowPixels = hn::CappedTag<std::uint16_t, 16>;
+constexpr int RowBlock = 16;
+
+/// The first pixels of a row, and what may lie behind it.
+HWY_INLINE void StoreRowBlock(std::uint16_t start, std::uint16_t* at)
 {
-  const CoverInt di;
-  for (int i = 16; i < length; i += static_cast<int>(hn::Lanes(di)))
+  const RowPixels d;
+  const auto first = hn::Set(d, start);
+  for (int i = 0; i < RowBlock; i += static_cast<int>(hn::Lanes(d)))
   {
-    hn::StoreU(hn::Iota(di, start + i), di, at + i);
+    hn::StoreU(hn::Add(first, hn::Iota(d, static_cast<std::uint16_t>(i))), d, at + i);
   }
 }
 
-/// Puts the pixels of a cell at the end of the queue; returns how many it has then.
-HWY_INLINE int AppendSpans(const TileGroup& g, int k, TileFragments& out)
+/// The rows of a cell that is no wider than a block, or wider; returns how many pixels the queue has then.
+template <bool Wide>
+HWY_INLINE int AppendRows(const std::int32_t* spans, int height, int begin, std::uint16_t* pixels)
 {
-  const CoverInt di;
-  int count = out.Count;
-  for (int begin = 0; begin < g.Height[k]; begin += TileGroup::RowStep)
+  auto count = static_cast<std::size_t>(begin);
+  for (int first = 0; first < height; first += TileGroup::RowStep)
   {
-    for (int row = begin; row < begin + TileGroup::RowStep; ++row)
+    for (int row = 0; row < TileGroup::RowStep; ++row)
     {
-      int* at = out.Pixel + count;
-      const int length = g.SpanCount[row][k];
-      // Most rows are that short: nothing to guess.
-      const auto start = hn::Set(di, g.SpanStart[row][k]);
-      for (int i = 0; i < 16; i += static_cast<int>(hn::Lanes(di)))
+      // Two loads: the first one spreads what it loads.
+      std::uint16_t halves[2];
+      std::memcpy(&halves[0], spans, sizeof halves[0]);
+      std::memcpy(&halves[1], reinterpret_cast<const char*>(spans) + sizeof halves[0], sizeof halves[1]);
+      std::uint16_t* at = pixels + count;
+      StoreRowBlock(halves[0], at);
+      for (int i = RowBlock; Wide && i < halves[1]; i += RowBlock)
       {
-        hn::StoreU(hn::Add(start, hn::Iota(di, i)), di, at + i);
+        StoreRowBlock(static_cast<std::uint16_t>(halves[0] + i), at + i);
       }
-      if (HWY_UNLIKELY(length > 16))
-      {
-        StoreLongRow(g.SpanStart[row][k], length, at);
-      }
-      count += length;
+      count += halves[1];
+      spans += TileGroup::Size;
     }
   }
-  return count;
+  return static_cast<int>(count);
+}
+
+/// Puts the pixels of a cell at the end of the queue; returns how many it has then.
+HWY_INLINE int AppendSpans(const TileGroup& g, int k, int count, TileFragments& out)
+{
+  return g.Width[k] <= RowBlock ? AppendRows<false>(&g.Spans[0][k], g.Height[k], count, out.RowPixel)
+                                : AppendRows<true>(&g.Spans[0][k], g.Height[k], count, out.RowPixel);
 }
 
 /// Between the entry planes and the others, of which the last two may be cuts: the last entry, and the first exit.
@@ -168,7 +181,9 @@ HWY_INLINE void CompleteFragments(
   const CoverLines<Entries, Planes> lines(g, k, faces);
   for (int at = begin; at < end; at += static_cast<int>(hn::Lanes(d)))
   {
-    const PixelPlaces places(hn::LoadU(di, out.Pixel + at), corner);
+    const auto pixel = hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::uint16_t, CoverInt>(), out.RowPixel + at));
+    const PixelPlaces places(pixel, corner);
+    hn::StoreU(pixel, di, out.Pixel + at);
     CoverVector u[Planes], entry, exit;
     for (int i = 0; i < Planes; ++i)
     {
@@ -194,53 +209,93 @@ inline std::uint32_t PackBox(const TileGroup& group, int k)
     : TileBox::Pack(group.Left[k], group.Bottom[k], group.Width[k], group.Height[k]);
 }
 
-/// One cell of a group: `faces` has the `Entries` entry faces first.
+/// The rest of a cell's fragments: `faces` has the `Entries` entry faces first.
 template <int Entries>
-HWY_INLINE void CoverCell(const TileGroup& g, int k, const int* faces, TileFragments& out)
+HWY_INLINE void CompleteCell(
+  const TileGroup& g, int k, const int* faces, int begin, int end, TileFragments& out)
 {
-  const int begin = out.Count;
-  out.Count = AppendSpans(g, k, out);
-  out.CountLanes(out.Count - begin, 1, static_cast<int>(hn::Lanes(CoverFloat())), 1);
-  g.Cut[k] != 0 ? CompleteFragments<Entries, 6>(g, k, faces, begin, out.Count, out)
-                : CompleteFragments<Entries, 4>(g, k, faces, begin, out.Count, out);
+  g.Cut[k] != 0 ? CompleteFragments<Entries, 6>(g, k, faces, begin, end, out)
+                : CompleteFragments<Entries, 4>(g, k, faces, begin, end, out);
+}
+
+/// Cells of a group in floats, one after the other, whose pixels are found and that wait for the rest.
+struct CoverRun
+{
+  int First, End;
+  /// Where the fragments of every cell begin; those of the last one end where the queue does.
+  int Begin[TileGroup::Size + 1];
+};
+
+/// The rest of the fragments of a run.
+inline void CompleteRun(const TileGroup& group, const CoverRun& run, TileFragments& out)
+{
+  static const FaceLists lists;
+  for (int k = run.First; k < run.End; ++k)
+  {
+    const int begin = run.Begin[k], end = run.Begin[k + 1];
+    const int set = group.Entries[k];
+    const int* faces = lists.Faces[set];
+    if (begin == end)
+    {
+      continue;
+    }
+    switch (lists.Entries[set])
+    {
+      case 1:
+        CompleteCell<1>(group, k, faces, begin, end, out);
+        break;
+      case 2:
+        CompleteCell<2>(group, k, faces, begin, end, out);
+        break;
+      default:
+        CompleteCell<3>(group, k, faces, begin, end, out);
+        break;
+    }
+  }
+}
+
+/// The pixels of cells in floats from k on, until the queue is full, the group ends or one is in double. The rest is
+/// done after all of them: reading what was just written waits for it.
+inline int CoverRunOfCells(
+  const TileGroup& group, const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out)
+{
+  CoverRun run;
+  run.First = k;
+  for (; k < count && out.Count < TileFragments::Full && group.Exact[k] == 0; ++k)
+  {
+    out.BeginCell(ids[k]);
+    boxes[k] = PackBox(group, k);
+    run.Begin[k] = out.Count;
+    // Flattened by rounding a cell has no inside.
+    const bool isFlat = group.Entries[k] == 0 || group.Entries[k] == 15;
+    if (boxes[k] != 0 && !isFlat)
+    {
+      out.Count = AppendSpans(group, k, out.Count, out);
+      out.CountLanes(out.Count - run.Begin[k], 1, static_cast<int>(hn::Lanes(CoverFloat())), 1);
+    }
+  }
+  run.End = k;
+  run.Begin[k] = out.Count;
+  CompleteRun(group, run, out);
+  return k;
 }
 
 /// Cells of a group from k on until the queue is full or the group ends; returns the next cell.
 inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
   const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out)
 {
-  static const FaceLists lists;
-  for (; k < count && out.Count < TileFragments::Full; ++k)
+  while (k < count && out.Count < TileFragments::Full)
   {
+    if (group.Exact[k] == 0)
+    {
+      k = CoverRunOfCells(group, ids, k, count, boxes, out);
+      continue;
+    }
     out.BeginCell(ids[k]);
-    if (group.Exact[k] != 0)
-    {
-      // It finds its box itself.
-      boxes[k] = TileBox::WholeTile();
-      CoverExactCell(task, tile, ids[k], out);
-      continue;
-    }
-    boxes[k] = PackBox(group, k);
-    if (group.Width[k] <= 0 || group.Height[k] <= 0)
-    {
-      continue;
-    }
-    const int set = group.Entries[k];
-    switch (lists.Entries[set])
-    {
-      case 1:
-        CoverCell<1>(group, k, lists.Faces[set], out);
-        break;
-      case 2:
-        CoverCell<2>(group, k, lists.Faces[set], out);
-        break;
-      case 3:
-        CoverCell<3>(group, k, lists.Faces[set], out);
-        break;
-      default:
-        // Flattened by rounding: it has no inside.
-        break;
-    }
+    // It finds its box itself.
+    boxes[k] = TileBox::WholeTile();
+    CoverExactCell(task, tile, ids[k], out);
+    ++k;
   }
   return k;
 }

@@ -8,6 +8,7 @@
 #include "TileCells.h"
 
 #include <algorithm>
+#include <cstdint>
 
 struct TileFragments
 {
@@ -23,6 +24,8 @@ struct TileFragments
   alignas(64) float ScalarOut[Capacity];
   /** In the tile, row by row. */
   alignas(64) int Pixel[Capacity];
+  /** The same of cells whose fragments are not complete yet. */
+  alignas(64) std::uint16_t RowPixel[Capacity];
   /** Where they are named (NamesCells): the cell's id. */
   alignas(64) int Cell[Capacity];
   /** Shaded: premultiplied red, green, blue, and minus alpha, in slots (TileColors-inl.h). */

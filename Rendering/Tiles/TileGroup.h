@@ -9,6 +9,8 @@
 
 #include "TileCells.h"
 
+#include <cstdint>
+
 struct TileGroup
 {
   static constexpr int Size = 16;
@@ -35,11 +37,10 @@ struct TileGroup
   alignas(64) int Exact[Size];
   /** Not 0: a part is transparent, the cuts are set. */
   alignas(64) int Cut[Size];
-  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers; rows
-   *  are read in steps of so many. */
+  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers, in the lower
+   *  and the upper half; rows are read in steps of so many. */
   static constexpr int RowStep = 4;
-  alignas(64) int SpanStart[TileSize::Pixels + RowStep][Size];
-  alignas(64) int SpanCount[TileSize::Pixels + RowStep][Size];
+  alignas(64) std::int32_t Spans[TileSize::Pixels + RowStep][Size];
 };
 
 #endif

@@ -244,7 +244,8 @@ inline void CutTransparent(
 }
 
 inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lane,
-  const TileRectangle& tile, const SetupBounds& bounds, const int* steps, TileGroup& group)
+  const TileRectangle& tile, const SetupBounds& bounds, const int* steps, const float* cellScalars,
+  TileGroup& group)
 {
   const SetupFloat d;
   const SetupInt di;
@@ -252,6 +253,7 @@ inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lan
   for (int corner = 0; corner < 4; ++corner)
   {
     records.Load(d, corner, lane, c.Corner[corner]);
+    c.Corner[corner][3] = cellScalars ? hn::Load(d, cellScalars + lane) : c.Corner[corner][3];
   }
   c.Build();
   const SetupWeights weights(c, bounds);
@@ -282,19 +284,16 @@ inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const Se
     group.Exact[k] = allExact | (task.Cells->Faces[ids[k]] & TileCells::Exact);
   }
   records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
-  if (!task.Mesh->CellScalars.empty())
+  HWY_ALIGN float cellScalars[TileGroup::Size];
+  const bool hasCellScalars = !task.Mesh->CellScalars.empty();
+  for (int k = 0; hasCellScalars && k < TileGroup::Size; ++k)
   {
-    for (int k = 0; k < TileGroup::Size; ++k)
-    {
-      for (int corner = 0; corner < 4; ++corner)
-      {
-        records.Values[corner][k][3] = task.Mesh->CellScalars[ids[k]];
-      }
-    }
+    cellScalars[k] = task.Mesh->CellScalars[ids[k]];
   }
   for (int lane = 0; lane < TileGroup::Size; lane += static_cast<int>(hn::Lanes(SetupFloat())))
   {
-    SetUpLanes(task, records, lane, tile, bounds, steps, group);
+    SetUpLanes(
+      task, records, lane, tile, bounds, steps, hasCellScalars ? cellScalars : nullptr, group);
   }
 }
 }

@@ -16,6 +16,8 @@
 
 #include <hwy/highway.h>
 
+#include <cstdint>
+
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
 {
@@ -177,11 +179,19 @@ HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines
   }
 }
 
-/// What a float that holds a whole number from 0 to 4 millions has in its last bits: quicker than to mind others.
-HWY_INLINE hn::Vec<SpanInt> WholeNumber(SpanVector value, hn::Vec<SpanInt> offset)
+/// A whole number of up to 23 bits: as a float's last bits, and how far those are above it.
+constexpr float WholeBits = 8388608.0f;
+constexpr std::int32_t AboveWhole = 0x4B000000;
+
+/// As in TileGroup, from the corner on.
+HWY_INLINE hn::Vec<SpanInt> PackSpan(SpanVector first, SpanVector count, hn::Vec<SpanInt> corner)
 {
-  const auto shifted = hn::Add(value, hn::Set(SpanFloat(), 8388608.0f));
-  return hn::Add(hn::BitCast(SpanInt(), shifted), hn::Sub(offset, hn::Set(SpanInt(), 0x4B000000)));
+  const SpanFloat d;
+  // An empty row may begin anywhere.
+  const auto start = hn::Min(first, hn::Set(d, static_cast<float>(TileSize::Pixels)));
+  const auto upper = hn::MulAdd(
+    hn::Max(count, hn::Zero(d)), hn::Set(d, 65536.0f), hn::Set(d, WholeBits));
+  return hn::Add(hn::BitCast(SpanInt(), hn::Add(start, upper)), corner);
 }
 
 /// The spans of a group's lanes from `lane` on; of cells that are not drawn so they mean nothing. Rows behind a cell's
@@ -194,15 +204,14 @@ HWY_INLINE void FindSpans(TileGroup& group, int lane)
   SpanOutline<Lines> outline;
   BuildOutline(group, lane, outline);
   const int rows = hn::GetLane(hn::MaxOfLanes(di, hn::Load(di, group.Height + lane)));
-  auto corner = hn::Add(hn::Load(di, group.Left + lane),
+  auto corner = hn::Add(hn::Sub(hn::Load(di, group.Left + lane), hn::Set(di, AboveWhole)),
     hn::ShiftLeft<TileSize::Shift>(hn::Load(di, group.Bottom + lane)));
   // To the end of the last step of rows.
   for (int row = 0; row < rows + TileGroup::RowStep - 1; ++row)
   {
     SpanVector first, count;
     outline.FindSpan(hn::Set(d, static_cast<float>(row)), first, count);
-    hn::Store(WholeNumber(first, corner), di, group.SpanStart[row] + lane);
-    hn::Store(WholeNumber(hn::Max(count, hn::Zero(d)), hn::Zero(di)), di, group.SpanCount[row] + lane);
+    hn::Store(PackSpan(first, count, corner), di, group.Spans[row] + lane);
     corner = hn::Add(corner, hn::Set(di, TileSize::Pixels));
   }
 }
