@@ -16,6 +16,7 @@
 #include "vtkSMPTools.h"
 
 #include <algorithm>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -62,16 +63,95 @@ Vector TurningArea(const Vector (&low)[2], const Vector (&high)[2])
   return hn::Mul(hn::Mul(extent, hn::Set(d, 2.0f * TileSliver::AreaRounding)), farthest);
 }
 
-struct ProjectedGroup
+// What the mesh says of cells, wherever the eye is.
+struct MeshGroup
 {
-  HWY_ALIGN int Box[TileRecords::Count];
-  HWY_ALIGN int Exits[TileRecords::Count]; // of a cell of positive orientation
-  HWY_ALIGN int Entries[TileRecords::Count];
-  HWY_ALIGN int Outside[TileRecords::Count]; // whether a corner has no place on the screen
-  HWY_ALIGN int Thin[TileRecords::Count];    // whether a face may be a sliver
+  std::uint8_t Steps[TileRecords::Count] = {};
+  // Bits 0 to 3: the faces across which there is no cell.
+  std::uint8_t Open[TileRecords::Count] = {};
+  signed char Orientations[TileRecords::Count] = {};
+
+  MeshGroup(const TileMesh& mesh, int first, int count)
+  {
+    std::copy_n(&mesh.Steps[first], count, this->Steps);
+    std::copy_n(&mesh.Orientations[first], count, this->Orientations);
+    if (mesh.CellScalars.empty())
+    {
+      // Where scalars are the points' nothing else makes a step.
+      std::copy_n(&mesh.Steps[first], count, this->Open);
+      return;
+    }
+    for (int at = 0; at < 4 * count; ++at)
+    {
+      const int isOpen = mesh.Neighbours[4 * static_cast<std::size_t>(first) + at] < 0 ? 1 : 0;
+      this->Open[at / 4] |= static_cast<std::uint8_t>(isOpen << at % 4);
+    }
+  }
 };
 
-void ProjectLanes(const TileRecords& records, int lane, const TileView& view, ProjectedGroup& out)
+struct ProjectedGroup
+{
+  HWY_ALIGN int Boxes[TileRecords::Count];
+  HWY_ALIGN std::uint8_t Faces[TileRecords::Count];
+  // Whether a face may be a sliver, and whether that is so of any cell.
+  HWY_ALIGN int Thin[TileRecords::Count];
+  bool AnyThin = false;
+};
+
+// Faces of cells of positive orientation that look up or down, as bits, and faces that may be slivers.
+struct FaceSigns
+{
+  hn::Vec<Int> Exits, Entries, Thin;
+
+  template <class Vector>
+  FaceSigns(const Vector (&areas)[4], Vector turns)
+    : Exits(hn::Zero(Int()))
+    , Entries(hn::Zero(Int()))
+    , Thin(hn::Zero(Int()))
+  {
+    const Float d;
+    const Int di;
+    for (int f = 0; f < 4; ++f)
+    {
+      const auto bit = hn::Set(di, 1 << f);
+      const auto above = hn::RebindMask(di, hn::Gt(areas[f], hn::Zero(d)));
+      const auto below = hn::RebindMask(di, hn::Lt(areas[f], hn::Zero(d)));
+      this->Exits =
+        hn::Or(this->Exits, hn::IfThenElseZero(TileMesh::IsInward(f) ? above : below, bit));
+      this->Entries =
+        hn::Or(this->Entries, hn::IfThenElseZero(TileMesh::IsInward(f) ? below : above, bit));
+      const auto isThin = hn::RebindMask(di, hn::Le(hn::Abs(areas[f]), turns));
+      this->Thin = hn::Or(this->Thin, hn::IfThenElseZero(isThin, bit));
+    }
+  }
+};
+
+// As in TileCells::Faces.
+hn::Vec<Int> FacesOf(const FaceSigns& signs, const MeshGroup& cells, int lane,
+  bool keepsOrientation, hn::Mask<Int> isOutside)
+{
+  const Int di;
+  const hn::Rebind<std::uint8_t, Int> bytes;
+  const hn::Rebind<std::int8_t, Int> signedBytes;
+  const auto steps = hn::PromoteTo(di, hn::LoadU(bytes, cells.Steps + lane));
+  const auto allFaces = hn::Set(di, TileCells::ExitFaces);
+  const auto open = hn::And(hn::PromoteTo(di, hn::LoadU(bytes, cells.Open + lane)), allFaces);
+  const auto orientation = hn::PromoteTo(di, hn::LoadU(signedBytes, cells.Orientations + lane));
+  const auto isAbove = hn::Gt(orientation, hn::Zero(di));
+  const auto keeps = keepsOrientation ? isAbove : hn::Not(isAbove);
+  const auto exits = hn::IfThenElse(keeps, signs.Exits, signs.Entries);
+  const auto entries = hn::IfThenElse(keeps, signs.Entries, signs.Exits);
+  auto bitWhere = [di](hn::Mask<Int> where, int bit)
+  { return hn::IfThenElseZero(where, hn::Set(di, bit)); };
+  const auto isEntered = hn::Ne(hn::And(entries, open), hn::Zero(di));
+  const auto isUnsure = hn::Or(hn::Ne(hn::Or(exits, entries), allFaces),
+    hn::Ne(hn::And(steps, hn::Set(di, TileMesh::Folded)), hn::Zero(di)));
+  return hn::Or(hn::Or(hn::AndNot(open, exits), bitWhere(isEntered, TileCells::Entered)),
+    hn::Or(bitWhere(isUnsure, TileCells::Unsure), bitWhere(isOutside, TileCells::Exact)));
+}
+
+void ProjectLanes(const TileRecords& records, const MeshGroup& cells, int lane,
+  const TileView& view, ProjectedGroup& out)
 {
   const Float d;
   const Int di;
@@ -91,27 +171,19 @@ void ProjectLanes(const TileRecords& records, int lane, const TileView& view, Pr
   TilesOf(low[1], high[1], view.Height, y[0], y[1]);
   hn::Store(hn::Or(hn::Or(x[0], hn::ShiftLeft<8>(x[1])),
               hn::Or(hn::ShiftLeft<16>(y[0]), hn::ShiftLeft<24>(y[1]))),
-    di, out.Box + lane);
+    di, out.Boxes + lane);
   const hn::Vec<Float> areas[4] = { AreaOf(v[1], v[2], v[3]), AreaOf(v[0], v[2], v[3]),
     AreaOf(v[0], v[1], v[3]), AreaOf(v[0], v[1], v[2]) };
-  auto exits = hn::Zero(di), entries = hn::Zero(di), thin = hn::Zero(di);
-  const auto turns = TurningArea(low, high);
-  for (int f = 0; f < 4; ++f)
-  {
-    const auto bit = hn::Set(di, 1 << f);
-    const auto above = hn::RebindMask(di, hn::Gt(areas[f], hn::Zero(d)));
-    const auto below = hn::RebindMask(di, hn::Lt(areas[f], hn::Zero(d)));
-    exits = hn::Or(exits, hn::IfThenElseZero(TileMesh::IsInward(f) ? above : below, bit));
-    entries = hn::Or(entries, hn::IfThenElseZero(TileMesh::IsInward(f) ? below : above, bit));
-    const auto isThin = hn::RebindMask(di, hn::Le(hn::Abs(areas[f]), turns));
-    thin = hn::Or(thin, hn::IfThenElseZero(isThin, bit));
-  }
-  hn::Store(exits, di, out.Exits + lane);
-  hn::Store(entries, di, out.Entries + lane);
+  const FaceSigns signs(areas, TurningArea(low, high));
+  // A corner has no place on the screen.
+  const auto isOutside =
+    hn::RebindMask(di, hn::Ge(high[0], hn::Set(d, TileVertices::OffScreen)));
+  const auto faces = FacesOf(signs, cells, lane, view.KeepsOrientation, isOutside);
+  const hn::Rebind<std::uint8_t, Int> bytes;
+  hn::StoreU(hn::DemoteTo(bytes, faces), bytes, out.Faces + lane);
+  const auto thin = hn::IfThenZeroElse(isOutside, signs.Thin);
   hn::Store(thin, di, out.Thin + lane);
-  const auto outside = hn::Ge(high[0], hn::Set(d, TileVertices::OffScreen));
-  hn::Store(
-    hn::IfThenElseZero(hn::RebindMask(di, outside), hn::Set(di, 1)), di, out.Outside + lane);
+  out.AnyThin = out.AnyThin || !hn::AllTrue(di, hn::Eq(thin, hn::Zero(di)));
 }
 
 void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices& vertices,
@@ -124,31 +196,17 @@ void ProjectGroup(const TileMesh& mesh, const TileView& view, const TileVertices
     ids[k] = first + std::min(k, count - 1);
   }
   records.Gather(mesh.Corners.data(), vertices.Values.data(), ids);
+  const MeshGroup meshGroup(mesh, first, count);
   ProjectedGroup group;
   for (int lane = 0; lane < TileRecords::Count; lane += static_cast<int>(hn::Lanes(Float())))
   {
-    ProjectLanes(records, lane, view, group);
+    ProjectLanes(records, meshGroup, lane, view, group);
   }
-  for (int k = 0; k < count; ++k)
+  std::copy_n(group.Faces, count, &cells.Faces[first]);
+  std::copy_n(group.Boxes, count, &cells.Boxes[first]);
+  for (int k = 0; group.AnyThin && k < count; ++k)
   {
-    const int cell = first + k;
-    const bool positive = (mesh.Orientations[cell] > 0) == view.KeepsOrientation;
-    const int* neighbours = &mesh.Neighbours[4 * static_cast<std::size_t>(cell)];
-    const int exits = positive ? group.Exits[k] : group.Entries[k];
-    const int entries = group.Exits[k] ^ group.Entries[k] ^ exits;
-    const int linked = (neighbours[0] >= 0) | (neighbours[1] >= 0) << 1 |
-                       (neighbours[2] >= 0) << 2 | (neighbours[3] >= 0) << 3;
-    const bool isUnsure =
-      (exits | entries) != TileCells::ExitFaces || (mesh.Steps[cell] & TileMesh::Folded) != 0;
-    cells.Faces[cell] = static_cast<std::uint8_t>((exits & linked) |
-      ((entries & ~linked) != 0 ? TileCells::Entered : 0) | (isUnsure ? TileCells::Unsure : 0) |
-      (group.Outside[k] ? TileCells::Exact : 0));
-    cells.Boxes[cell] = static_cast<std::uint32_t>(group.Box[k]);
-  }
-  for (int k = 0; k < count; ++k)
-  {
-    const bool isThin = group.Thin[k] != 0 && group.Outside[k] == 0;
-    if (isThin && TileSliver::MeetsPixel(mesh, view, vertices, first + k))
+    if (group.Thin[k] != 0 && TileSliver::MeetsPixel(mesh, view, vertices, first + k))
     {
       cells.Faces[first + k] |= TileCells::Unsure;
     }
