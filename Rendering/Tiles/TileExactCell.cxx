@@ -142,8 +142,12 @@ void TileExactCell::SetBox(const TileMesh& mesh, const TileView& view, int cell)
   {
     for (int j = i + 1; j < 4; ++j)
     {
+      if ((before[i] > 0.0) == (before[j] > 0.0))
+      {
+        continue;
+      }
       const glm::dvec4 cut = glm::mix(corners[i], corners[j], before[i] / (before[i] - before[j]));
-      if (before[i] > 0.0 != before[j] > 0.0 && cut.w > 0.0)
+      if (cut.w > 0.0)
       {
         bounds.Add(cut);
       }

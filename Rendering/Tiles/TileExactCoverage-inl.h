@@ -41,10 +41,12 @@ inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const Til
   for (const TileExactCell::Plane& plane : cell.Planes)
   {
     auto value = hn::MulAdd(hn::Set(d, plane.A), x, hn::Set(d, plane.B * y + plane.E));
-    const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
-    // A plane that is not seen edge-on has no tolerance, and passes at u = 0 where its value is 0.
-    const auto nudged = hn::Set(d, plane.Tolerance > 0.0 ? plane.Nudge : 0.0);
-    value = hn::Mul(hn::IfThenElse(within, nudged, value), hn::Set(d, plane.Inverse));
+    if (HWY_UNLIKELY(plane.Tolerance > 0.0))
+    {
+      const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
+      value = hn::IfThenElse(within, hn::Set(d, plane.Nudge), value);
+    }
+    value = hn::Mul(value, hn::Set(d, plane.Inverse));
     entry = plane.IsEntry ? hn::Min(entry, value) : entry;
     exit = plane.IsEntry ? exit : hn::Max(exit, value);
   }

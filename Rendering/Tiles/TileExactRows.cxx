@@ -2,13 +2,14 @@
 
 #include "TileView.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace
 {
 // Of the terms of a difference: many times what their rounding is.
 constexpr double Rounding = 1e-13;
+// In pixels, besides.
+constexpr double Margin = 1.0 / 64.0;
 }
 
 //------------------------------------------------------------------------------
@@ -41,26 +42,11 @@ void TileExactRows::AddEdge(const Line& entry, const Line& exit, const TileView&
   const double a = entry.A - exit.A;
   const double terms = (std::abs(entry.A) + std::abs(exit.A)) * view.Width +
     (std::abs(entry.B) + std::abs(exit.B)) * view.Height + std::abs(entry.E) + std::abs(exit.E);
-  const double margin = 1.0 + Rounding * terms / std::abs(a);
-  const Edge edge{ (exit.B - entry.B) / a, (exit.E - entry.E) / a + (a > 0.0 ? -margin : margin), a > 0.0 };
+  const double margin = Margin + Rounding * terms / std::abs(a);
+  const Edge edge{ (exit.B - entry.B) / a, (exit.E - entry.E) / a + (a > 0.0 ? -margin : margin) };
   if (std::isfinite(edge.Slope) && std::isfinite(edge.Offset))
   {
-    this->Edges[this->Count++] = edge;
+    Side& side = a > 0.0 ? this->Left : this->Right;
+    side.Edges[side.Count++] = edge;
   }
-}
-
-//------------------------------------------------------------------------------
-void TileExactRows::Narrow(int y, int& first, int& last) const
-{
-  double begin = first, end = last;
-  for (int i = 0; i < this->Count; ++i)
-  {
-    const Edge& edge = this->Edges[i];
-    const double x = edge.Slope * y + edge.Offset;
-    begin = edge.IsLeft ? std::max(begin, x) : begin;
-    end = edge.IsLeft ? end : std::min(end, x);
-  }
-  // Back to whole pixels of the row.
-  first = static_cast<int>(std::ceil(std::min(begin, last + 1.0)));
-  last = static_cast<int>(std::floor(std::max(end, first - 1.0)));
 }
