@@ -52,6 +52,17 @@ void TilesOf(Vector low, Vector high, int size, hn::Vec<Int>& first, hn::Vec<Int
   last = hn::IfThenElseZero(covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), end)));
 }
 
+// As in TileCells::Boxes.
+template <class Vector>
+hn::Vec<Int> BoxesOf(const Vector (&low)[2], const Vector (&high)[2], const TileView& view)
+{
+  hn::Vec<Int> x[2], y[2];
+  TilesOf(low[0], high[0], view.Width, x[0], x[1]);
+  TilesOf(low[1], high[1], view.Height, y[0], y[1]);
+  return hn::Or(hn::Or(x[0], hn::ShiftLeft<8>(x[1])),
+    hn::Or(hn::ShiftLeft<16>(y[0]), hn::ShiftLeft<24>(y[1])));
+}
+
 // The area up to which rounding may turn a face within that box, twice.
 template <class Vector>
 Vector TurningArea(const Vector (&low)[2], const Vector (&high)[2])
@@ -166,12 +177,7 @@ void ProjectLanes(const TileRecords& records, const MeshGroup& cells, int lane,
     low[k] = hn::Min(hn::Min(v[0][k], v[1][k]), hn::Min(v[2][k], v[3][k]));
     high[k] = hn::Max(hn::Max(v[0][k], v[1][k]), hn::Max(v[2][k], v[3][k]));
   }
-  hn::Vec<Int> x[2], y[2];
-  TilesOf(low[0], high[0], view.Width, x[0], x[1]);
-  TilesOf(low[1], high[1], view.Height, y[0], y[1]);
-  hn::Store(hn::Or(hn::Or(x[0], hn::ShiftLeft<8>(x[1])),
-              hn::Or(hn::ShiftLeft<16>(y[0]), hn::ShiftLeft<24>(y[1]))),
-    di, out.Boxes + lane);
+  hn::Store(BoxesOf(low, high, view), di, out.Boxes + lane);
   const hn::Vec<Float> areas[4] = { AreaOf(v[1], v[2], v[3]), AreaOf(v[0], v[2], v[3]),
     AreaOf(v[0], v[1], v[3]), AreaOf(v[0], v[1], v[2]) };
   const FaceSigns signs(areas, TurningArea(low, high));
