@@ -54,7 +54,6 @@ void TileLighting::Build(
     this->HasGlance = this->HasHighlight && this->Power < 2.0f;
     this->SetGreatestTurn();
   }
-  this->SetSpace(shading, camera);
   this->HasOpacity = shading.HasGradientOpacity;
   if (this->HasOpacity)
   {
@@ -69,6 +68,7 @@ void TileLighting::Build(
     this->ColorFunction.Build(shading.Colors.Function, 0.0);
   }
   this->AllowsThin = this->SetRays(view, camera) && this->HasThinLights();
+  this->SetSpace(shading, camera);
 }
 
 //------------------------------------------------------------------------------
@@ -141,7 +141,7 @@ void TileLighting::AddLight(const SceneLight& light, const VolumeShading& shadin
 void TileLighting::SetSpace(const VolumeShading& shading, const TileView::Camera& camera)
 {
   const glm::dmat4& meshToView = camera.MeshToView;
-  this->IsInView = !KeepsAngles(glm::dmat3(meshToView));
+  this->IsInView = this->AllowsThin || !KeepsAngles(glm::dmat3(meshToView));
   this->HasOneScale = !this->IsInView && KeepsAngles(glm::dmat3(camera.ViewToWorld));
   this->GradientToView = shading.GradientToView;
   this->GradientScale = shading.GradientScale;

@@ -1,7 +1,7 @@
 /**
  * What light, gradient opacity and other components than the opacity's make of fragments, as the
  * tiles read it. In mesh coordinates where those differ from the view's by a rotation and one scale
- * alone, else in view coordinates.
+ * alone and class ThinLight is of no use, else in view coordinates.
  *
  *     colour (Ambient + sum(arriving Diffuse |n.l|)) + sum(arriving Specular (r.v)^Power)
  *

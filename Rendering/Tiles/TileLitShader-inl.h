@@ -39,6 +39,7 @@ struct LitWork
   TileGradientOpacity::Course Opacity;
   LitPart Part;
   LitNodes Nodes;
+  ShadeMask Used;
 };
 
 template <class LookUp, bool General>
@@ -60,10 +61,15 @@ public:
 
   TileShadeCount Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
   {
-    return ShadeInPasses(
-      fragments.Count, remainders, [&](TileLitPieces& rest) { this->ShadeFirstPieces(fragments, rest); },
+    int waiting = 0;
+    TileShadeCount sum = ShadeInPasses(
+      fragments.Count, remainders,
+      [&](TileLitPieces& rest) { waiting = this->ShadeFirstPieces(fragments, rest); },
       [&](int pass, const TileLitPieces& now, TileLitPieces& next)
       { this->ShadeRemainders(fragments, pass, now, next); });
+    // They were counted with all others.
+    sum.Pieces -= waiting;
+    return sum;
   }
 
 private:
@@ -202,63 +208,51 @@ private:
     }
   }
 
-  /// Vectors that are thin are coloured at once, the others by parts.
-  void ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
+  /// Where light allows it fragments are coloured at once but for those that wait as a whole, else by
+  /// parts; returns how many wait.
+  int ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
   {
     const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
     q.FillLastVector();
-    ThinLight thin(this->Task, this->Tile);
-    bool areThin = !General && this->Task.Lighting->AllowsThin;
+    if (!General && this->Task.Lighting->AllowsThin)
+    {
+      ThinLight thin(this->Task, this->Tile);
+      for (int at = 0; at < q.Count; at += ThinLight::Batch * lanes)
+      {
+        thin.Color(this->Values, at, q, rest);
+      }
+      return rest.Count;
+    }
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
-      const int end = std::min(q.Count, begin + Batch * lanes);
-      int others[Batch], left = 0;
-      for (int at = begin; at < end; at += lanes)
-      {
-        if (!areThin || !ColorThin(thin, at, q))
-        {
-          others[left++] = at;
-        }
-      }
-      // Where few are thin, the next ones are not tried.
-      areThin = areThin && 2 * left <= Batch;
-      this->ShadeByParts(others, left, q, rest);
+      this->ShadeByParts(begin, std::min(Batch, (q.Count - begin + lanes - 1) / lanes), q, rest);
     }
+    return 0;
   }
 
-  static HWY_INLINE bool ColorThin(ThinLight& thin, int at, TileFragments& q)
+  /// Shades the first parts of `count` vectors from `begin` on.
+  void ShadeByParts(int begin, int count, TileFragments& q, TileLitPieces& rest) const
   {
-    ShadeVector color[4];
-    if (!thin.Color(q, at, color))
-    {
-      return false;
-    }
-    StoreColors(color, at, q);
-    return true;
-  }
-
-  /// Shades the first parts of the vectors that begin at `named`.
-  void ShadeByParts(
-    const int (&named)[Batch], int count, TileFragments& q, TileLitPieces& rest) const
-  {
-    if (count == 0)
-    {
-      return;
-    }
+    const ShadeFloat d;
+    const int lanes = static_cast<int>(hn::Lanes(d));
     LitWork work[Batch];
     for (int i = 0; i < count; ++i)
     {
-      this->FirstPieces.Find(q, named[i], work[i].Piece);
+      const int at = begin + i * lanes;
+      this->FirstPieces.Find(q, at, work[i].Piece);
+      work[i].Used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
     }
+    auto shade = [&](const auto& values)
+    {
+      for (int i = 0; i < count; ++i)
+      {
+        work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
+      }
+      this->ShadeInSteps(values, 0, count, work, rest,
+        [&](int i, const ShadeVector(&color)[4]) { StoreColors(color, begin + i * lanes, q); });
+    };
     OnePieceLookUp one;
-    if (this->FindOnePiece(work, count, one))
-    {
-      this->ShadeInSteps(one, named, count, work, q, rest);
-    }
-    else
-    {
-      this->ShadeInSteps(this->Values, named, count, work, q, rest);
-    }
+    this->FindOnePiece(work, count, one) ? shade(one) : shade(this->Values);
   }
 
   /// The piece that all of `count` vectors lie in, if there is one.
@@ -275,16 +269,13 @@ private:
   }
 
   /// Step after step for all vectors: within one the steps wait for each other.
-  template <class Look>
-  HWY_INLINE void ShadeInSteps(const Look& values, const int (&named)[Batch], int count,
-    LitWork (&work)[Batch], TileFragments& q, TileLitPieces& rest) const
+  template <class Look, class Store>
+  HWY_INLINE void ShadeInSteps(const Look& values, int pass, int count, LitWork (&work)[Batch],
+    TileLitPieces& rest, const Store& store) const
   {
-    const ShadeFloat d;
     for (int i = 0; i < count; ++i)
     {
-      work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
-      const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - named[i]));
-      this->CutPiece(values, used, 0, work[i]);
+      this->CutPiece(values, work[i].Used, pass, work[i]);
     }
     for (int i = 0; i < count; ++i)
     {
@@ -294,7 +285,7 @@ private:
     {
       ShadeVector color[4];
       this->ColorPart(values, work[i], rest, color);
-      StoreColors(color, named[i], q);
+      store(i, color);
     }
   }
 
@@ -303,21 +294,28 @@ private:
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
-    LitWork work;
-    for (int at = 0; at < now.Count; at += lanes)
+    LitWork work[Batch];
+    for (int begin = 0; begin < now.Count; begin += Batch * lanes)
     {
-      const int count = std::min(lanes, now.Count - at);
-      LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, work.Piece);
-      this->Light.FindToEye(work.Piece.Pixel, work.Piece.ToEye);
-      ShadeVector color[4];
-      this->CutPiece(this->Values, hn::FirstN(d, static_cast<std::size_t>(count)), pass, work);
-      this->FindNodes(work);
-      this->ColorPart(this->Values, work, next, color);
-      for (auto& component : color)
+      const int count = std::min(Batch, (now.Count - begin + lanes - 1) / lanes);
+      for (int i = 0; i < count; ++i)
       {
-        component = hn::Mul(component, work.Piece.Through);
+        const int at = begin + i * lanes;
+        LitPieces& piece = work[i].Piece;
+        LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, piece);
+        this->Light.FindToEye(piece.Pixel, piece.ToEye);
+        work[i].Used = hn::FirstN(d, static_cast<std::size_t>(now.Count - at));
       }
-      AddColors(color, now.Fragment + at, count, q);
+      this->ShadeInSteps(this->Values, pass, count, work, next,
+        [&](int i, ShadeVector(&color)[4])
+        {
+          const int at = begin + i * lanes;
+          for (auto& component : color)
+          {
+            component = hn::Mul(component, work[i].Piece.Through);
+          }
+          AddColors(color, now.Fragment + at, std::min(lanes, now.Count - at), q);
+        });
     }
   }
 

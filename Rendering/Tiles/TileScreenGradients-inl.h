@@ -1,5 +1,5 @@
 /**
- * Gradients at both ends of fragments in view coordinates, up to a factor.
+ * Gradients of fragments in view coordinates, up to a factor.
  *
  * The gradient of a cell is linear in its points, hence times the weight linear in x, y and u on the
  * screen (TileView): what that is made of is found once per cell, in the order of the fragments.
@@ -55,27 +55,10 @@ public:
     }
   }
 
-  /// At the entry and the exit of the fragments from `at` on, `used` of them at `places`, times the weight.
-  HWY_INLINE void Find(const TileFragments& q, int at, int used, const PixelPlaces& places,
-    ShadeVector (&in)[3], ShadeVector (&out)[3])
-  {
-    const ShadeFloat d;
-    ShadeVector mixed[Terms];
-    const ShadeVector* rows = this->Load(q.Cell + at, used, mixed);
-    const auto x = places.X, y = places.Y;
-    const auto entry = hn::Load(d, q.Entry + at), extent = hn::Load(d, q.Extent + at);
-    for (int k = 0; k < 3; ++k)
-    {
-      const ShadeVector* r = rows + 4 * k;
-      in[k] = hn::MulAdd(r[0], x, hn::MulAdd(r[1], y, hn::MulAdd(r[2], entry, r[3])));
-      out[k] = hn::NegMulAdd(r[2], extent, in[k]);
-    }
-  }
-
-private:
   static constexpr int Terms = 4 * TileCellFields::Functions;
 
-  /// The rows of `cells`: ids; those of one cell follow each other.
+  /// Of `cells`, ids of which those of one cell follow each other, what x, y, u and 1 are multiplied by,
+  /// component by component.
   HWY_INLINE const ShadeVector* Load(const int* cells, int used, ShadeVector (&mixed)[Terms])
   {
     const ShadeFloat d;
@@ -89,23 +72,18 @@ private:
     {
       return this->Rows;
     }
-    for (int i = 0; i < Terms; ++i)
-    {
-      mixed[i] = this->Rows[i];
-    }
+    const ShadeVector* rows = this->Rows;
     for (; ends != 0; ends &= ends - 1)
     {
       const auto lane = hwy::Num0BitsBelowLS1Bit_Nonzero32(ends) + 1;
       const auto before = hn::FirstN(d, lane);
-      this->Take(cells[lane]);
-      for (int i = 0; i < Terms; ++i)
-      {
-        mixed[i] = hn::IfThenElse(before, mixed[i], this->Rows[i]);
-      }
+      this->Mix(cells[lane], before, rows, mixed);
+      rows = mixed;
     }
     return mixed;
   }
 
+private:
   /// Goes over to a cell.
   HWY_INLINE void Take(int cell)
   {
@@ -113,19 +91,34 @@ private:
     {
       return;
     }
-    this->Cell = cell;
     alignas(16) float terms[Terms];
-    this->FindTerms(
-      this->Fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cell), terms);
+    this->FindTerms(cell, terms);
     for (int i = 0; i < Terms; ++i)
     {
       this->Rows[i] = hn::Set(ShadeFloat(), terms[i]);
     }
   }
 
-  /// From the functions of the point of a cell those of x, y, u and 1.
-  HWY_INLINE void FindTerms(const float* values, float (&terms)[Terms]) const
+  /// The same, and the rows of another one before it.
+  HWY_INLINE void Mix(
+    int cell, ShadeMask before, const ShadeVector* rows, ShadeVector (&mixed)[Terms])
   {
+    alignas(16) float terms[Terms];
+    this->FindTerms(cell, terms);
+    for (int i = 0; i < Terms; ++i)
+    {
+      const auto row = hn::Set(ShadeFloat(), terms[i]);
+      mixed[i] = hn::IfThenElse(before, rows[i], row);
+      this->Rows[i] = row;
+    }
+  }
+
+  /// From the functions of the point of a cell those of x, y, u and 1.
+  HWY_INLINE void FindTerms(int cell, float (&terms)[Terms])
+  {
+    this->Cell = cell;
+    const float* values =
+      this->Fields.Values.data() + TileCellFields::Stride * static_cast<std::size_t>(cell);
     const hn::CappedTag<float, 4> d;
     for (std::size_t k = 0; k < 4; k += hn::Lanes(d))
     {

@@ -110,6 +110,7 @@ list(APPEND private_headers
   Rendering/Tiles/TileSpans-inl.h
   Rendering/Tiles/TileStages.h
   Rendering/Tiles/TileTask.h
+  Rendering/Tiles/TileThinCourses-inl.h
   Rendering/Tiles/TileThinLight-inl.h
   Rendering/Tiles/TileThinPieces-inl.h
   Rendering/Tiles/TileTransfer.h

@@ -148,6 +148,15 @@ public:
     this->Renderer->AddLight(this->Side);
   }
 
+  void SetWaves(int points)
+  {
+    this->Opacity->RemoveAllPoints();
+    for (int i = 0; i < points; ++i)
+    {
+      this->Opacity->AddPoint(i / (points - 1.0), 1.0 + 0.3 * std::sin(5.0 * i));
+    }
+  }
+
   // By the oracle's image as it is.
   double DrawError(bool shortWay)
   {
@@ -186,6 +195,13 @@ void CheckThin(TestChecks& checks)
   scene.Side->SwitchOff();
   scene.LookFrom(0.5, 0.8, 2.2);
   scene.CheckAgain(checks, "thin, headlight");
+  // Look-ups in two registers and in memory, and vectors of which a part is cut and waits.
+  for (const int points : { 10, 60 })
+  {
+    scene.SetWaves(points);
+    scene.CheckAgain(checks, "thin, of many pieces");
+  }
+  scene.SetSmooth();
   scene.Side->SwitchOn();
   scene.Property->SetSpecularPower(7.0);
   scene.Volume->SetScale(1.0, 0.4, 1.3);
