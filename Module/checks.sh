@@ -15,12 +15,12 @@ complain()
   failed=1
 }
 
-# A process for all files, not one for each.
+# A process for all files, not one for each. 123: it found nothing.
 on()
 {
   list=$1
   shift
-  printf '%s\n' "$list" | LC_ALL=C xargs -d '\n' "$@" || true
+  printf '%s\n' "$list" | LC_ALL=C xargs -d '\n' "$@" || [ $? -eq 123 ] || echo "could not be checked"
 }
 
 IFS='

@@ -9,7 +9,7 @@ osmesa_label=${2:-$label}
 Module/setup.sh Module/NewestVTK/host-packages.txt
 inside=Module/NewestVTK/enter.sh
 # What is deprecated in the newest VTK will be gone in the next: it fails the build here. And so does a file of the
-# libraries that leaves an include to the precompiled headers.
+# libraries that leaves an include to the precompiled headers, where CMAKE_OPTIONS does not ask for those.
 options="-Wno-dev -DCELLPROJECTION_DEPRECATED_IS_ERROR=ON -DCELLPROJECTION_PRECOMPILE_MODULES=OFF \
 -DCELLPROJECTION_BENCHMARKS=ON -DCELLPROJECTION_TEST_OPTIONS= -DCELLPROJECTION_FEWER_TARGETS=OFF ${CMAKE_OPTIONS:-}"
 $inside make build BUILD=build-newest "CMAKE_OPTIONS=$options"

@@ -113,7 +113,7 @@ inline void CoverConvexCell(const ConvexTileTask& task, const TileRectangle& til
   }
   else
   {
-    const RowSpans spans(EdgeList(task, id, box, faceAt), box);
+    const RowSpans spans(EdgeList(task, id, box, faceAt), box, false);
     CoverSpans(ends, spans, box.GetHeight(), corner, out);
   }
 }

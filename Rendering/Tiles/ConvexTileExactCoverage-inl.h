@@ -134,7 +134,7 @@ inline bool CoverOnScreen(const ConvexTileTask& task, const TileRectangle& tile,
   const CellEnds<LaneDouble> ends(task, id, box, faceAt);
   if (ends.AreBoth())
   {
-    const RowSpans spans(EdgeList(task, id, box, faceAt), box);
+    const RowSpans spans(EdgeList(task, id, box, faceAt), box, true);
     CoverSpans(ends, spans, box.GetHeight(), CornerPixel(box, tile), out);
   }
   return true;

@@ -64,24 +64,36 @@ public:
 
   bool IsEmpty() const { return this->Count == 0; }
 
-  /// Where the rows `y` leave the first and the last edge.
+  /// In pixels: by how much the edges, in floats, may lie off the planes of a cell in double.
+  static constexpr float Slack = 1e-3f;
+
+  /// Where the rows `y` leave the first and the last edge; `IsLoose`: or those up to Slack beside them.
+  template <bool IsLoose>
   HWY_INLINE void FindRange(CoverVector y, CoverVector& least, CoverVector& greatest) const
   {
     const CoverFloat d;
+    const auto slack = hn::Set(d, Slack), zero = hn::Zero(d);
     least = hn::Set(d, TileVertices::OffScreen);
     greatest = hn::Neg(least);
     for (int i = 0; i < this->Count; ++i)
     {
-      const auto up = hn::Sub(y, hn::Set(d, this->Y[i]));
-      const auto x = hn::MulAdd(hn::Set(d, this->Slope[i]), up, hn::Set(d, this->X[i]));
-      const auto isMet =
-        hn::And(hn::Ge(up, hn::Zero(d)), hn::Le(up, hn::Set(d, this->EndY[i])));
-      least = hn::IfThenElse(isMet, hn::Min(least, x), least);
-      greatest = hn::IfThenElse(isMet, hn::Max(greatest, x), greatest);
+      const auto up = hn::Sub(y, hn::Set(d, this->Y[i])), end = hn::Set(d, this->EndY[i]);
+      const auto first = IsLoose ? hn::Max(hn::Sub(up, slack), zero) : up;
+      const auto last = IsLoose ? hn::Min(hn::Add(up, slack), end) : up;
+      const auto x = this->At(i, first), other = IsLoose ? this->At(i, last) : x;
+      const auto isMet = IsLoose ? hn::Le(first, last) : hn::And(hn::Ge(up, zero), hn::Le(up, end));
+      least = hn::IfThenElse(isMet, hn::Min(least, hn::Min(x, other)), least);
+      greatest = hn::IfThenElse(isMet, hn::Max(greatest, hn::Max(x, other)), greatest);
     }
   }
 
 private:
+  HWY_INLINE CoverVector At(int edge, CoverVector up) const
+  {
+    const CoverFloat d;
+    return hn::MulAdd(hn::Set(d, this->Slope[edge]), up, hn::Set(d, this->X[edge]));
+  }
+
   /// What rows need.
   void SetUp()
   {
@@ -131,7 +143,8 @@ struct RowSpans
   /// In pixels: more than the rounding of edges and of planes.
   static constexpr float Margin = 1.0f / 64.0f;
 
-  RowSpans(const EdgeList& edges, const CellBox& box)
+  /// `isLoose`: for planes in double.
+  RowSpans(const EdgeList& edges, const CellBox& box, bool isLoose)
   {
     const CoverFloat d;
     const CoverInt di;
@@ -140,7 +153,8 @@ struct RowSpans
     for (int row = 0; row < box.GetHeight(); row += static_cast<int>(hn::Lanes(d)))
     {
       CoverVector least, greatest;
-      edges.FindRange(Ramp(d, static_cast<float>(row)), least, greatest);
+      const auto y = Ramp(d, static_cast<float>(row));
+      isLoose ? edges.FindRange<true>(y, least, greatest) : edges.FindRange<false>(y, least, greatest);
       const auto first = hn::Min(hn::Max(hn::Sub(least, margin), hn::Zero(d)), width);
       const auto last = hn::Min(hn::Add(greatest, margin), hn::Sub(width, hn::Set(d, 1.0f)));
       if (edges.IsEmpty())

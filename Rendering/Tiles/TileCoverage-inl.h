@@ -89,8 +89,9 @@ HWY_INLINE int AppendRows(const std::int32_t* spans, int height, int begin, std:
     {
       // Two loads: the first one spreads what it loads.
       std::uint16_t halves[2];
-      std::memcpy(&halves[0], spans, sizeof halves[0]);
-      std::memcpy(&halves[1], reinterpret_cast<const char*>(spans) + sizeof halves[0], sizeof halves[1]);
+      const char* const bytes = reinterpret_cast<const char*>(spans);
+      std::memcpy(&halves[0], bytes + 2 * TileGroup::LowerHalf, sizeof halves[0]);
+      std::memcpy(&halves[1], bytes + 2 * (1 - TileGroup::LowerHalf), sizeof halves[1]);
       std::uint16_t* at = pixels + count;
       StoreRowBlock(halves[0], at);
       for (int i = RowBlock; Wide && i < halves[1]; i += RowBlock)

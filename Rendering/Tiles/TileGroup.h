@@ -40,6 +40,11 @@ struct TileGroup
   /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers, in the lower
    *  and the upper half; rows are read in steps of so many. */
   static constexpr int RowStep = 4;
+#if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
+  static constexpr int LowerHalf = 1;
+#else
+  static constexpr int LowerHalf = 0;
+#endif
   alignas(64) std::int32_t Spans[TileSize::Pixels + RowStep][Size];
 };
 

@@ -13,6 +13,7 @@
 #include "vtkTable.h"
 #include "vtkUnsignedCharArray.h"
 
+#include <array>
 #include <functional>
 #include <iostream>
 #include <memory>
@@ -135,15 +136,14 @@ Shown ShowFresh(const Make& make, bool hasTwo, Place place, bool isCoarse)
   return fresh.ShowWith(place);
 }
 
-// In turns at rest and while the window asks for more frames than there is time for.
-void CheckFrames(TestChecks& checks, const Make& make, bool hasTwo)
+// Of fine frames and of coarse ones.
+using Expected = std::array<std::vector<Shown>, 2>;
+
+Expected ShowAllFresh(const Make& make, bool hasTwo)
 {
-  ChangingScene scene(make, hasTwo);
-  scene.Scene->Mapper->SetMaximumImageSampleDistance(Coarse);
-  scene.ShowWith(Nowhere);
   const std::vector<Place> places =
     hasTwo ? std::vector<Place>{ Nowhere, First, Second } : std::vector<Place>{ Nowhere, First };
-  std::vector<Shown> expected[2];
+  Expected expected;
   for (const bool isCoarse : { false, true })
   {
     for (const Place place : places)
@@ -151,6 +151,16 @@ void CheckFrames(TestChecks& checks, const Make& make, bool hasTwo)
       expected[isCoarse ? 1 : 0].push_back(ShowFresh(make, hasTwo, place, isCoarse));
     }
   }
+  return expected;
+}
+
+// In turns at rest and while the window asks for more frames than there is time for.
+void CheckFrames(TestChecks& checks, const Make& make, bool hasTwo)
+{
+  ChangingScene scene(make, hasTwo);
+  scene.Scene->Mapper->SetMaximumImageSampleDistance(Coarse);
+  scene.ShowWith(Nowhere);
+  const Expected expected = ShowAllFresh(make, hasTwo);
   CHECK(expected[1][0].Colors != expected[0][0].Colors);
   CHECK(expected[1][1].Colors != expected[0][1].Colors && expected[1][1].Colors != expected[1][0].Colors);
   struct

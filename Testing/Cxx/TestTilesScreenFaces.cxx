@@ -115,7 +115,7 @@ void CompareCell(const ConvexTileTask& task, const TileRectangle& tile, int id, 
   const auto faceAt = [&](int at) -> const ScreenFaces::Face&
   { return faces[at - task.Mesh->Faces.Offsets[id]]; };
   const CellEnds<LaneDouble> ends(task, id, box, faceAt);
-  const RowSpans spans(EdgeList(task, id, box, faceAt), box);
+  const RowSpans spans(EdgeList(task, id, box, faceAt), box, true);
   ConvexTileExactCell cell;
   cell.SetUp(*task.Mesh, id);
   for (int y = box.FirstY; y <= box.LastY; ++y)
