@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <memory>
 
 namespace
 {
@@ -143,21 +144,38 @@ void CompareThreads(const std::string& name, int frames)
   }
 }
 
+// In turns: a machine's clock changes while the slow ones draw.
 void CompareCasters(int frames)
 {
   const auto grid = MakeLattice(LatticeOfCasters);
-  std::printf("\nVTK's ray casters, a ray for every pixel, a jittered lattice of %lld tetrahedra\n"
+  std::printf("\nVTK's ray casters in turns, a ray for every pixel, a jittered lattice of %lld tetrahedra\n"
               "%-28s %7s %10s %8s\n",
     static_cast<long long>(grid->GetNumberOfCells()), "mapper", "frames", "median ms", "Tiles");
-  const int few = std::min(frames, FewFrames);
-  const double tiles = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
-  const double bunyk = TimeFrames(
-    BenchmarkMapper::Bunyk().Make(), grid, { ImageSize, frames });
-  const double sweep = TimeFrames(
-    BenchmarkMapper::ZSweep().Make(), grid, { ImageSize, few });
-  std::printf("%-28s %7d %10.1f %8.1f\n", "ours, Tiles", frames, 1e3 * tiles, 1.0);
-  std::printf("%-28s %7d %10.1f %8.1f\n", "VTK Bunyk", frames, 1e3 * bunyk, bunyk / tiles);
-  std::printf("%-28s %7d %10.1f %8.1f\n", "VTK ZSweep", few, 1e3 * sweep, sweep / tiles);
+  const BenchmarkMapper mappers[] = { BenchmarkMapper::Tiles(), BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() };
+  const int every[] = { 1, 1, std::max(frames / FewFrames, 1) };
+  std::vector<std::unique_ptr<BenchmarkScene>> scenes;
+  for (const BenchmarkMapper& mapper : mappers)
+  {
+    scenes.push_back(std::make_unique<BenchmarkScene>(mapper.Make(), grid, ImageSize, false));
+    scenes.back()->TimeFrame(0);
+  }
+  std::vector<double> seconds[3];
+  for (int frame = 1; frame <= frames; ++frame)
+  {
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+    {
+      if (frame % every[i] == 0)
+      {
+        seconds[i].push_back(scenes[i]->TimeFrame(frame));
+      }
+    }
+  }
+  const double tiles = Median(seconds[0]);
+  for (std::size_t i = 0; i < scenes.size(); ++i)
+  {
+    std::printf("%-28s %7zu %10.1f %8.1f\n", mappers[i].Name.c_str(), seconds[i].size(), 1e3 * Median(seconds[i]),
+      Median(seconds[i]) / tiles);
+  }
 }
 }
 
