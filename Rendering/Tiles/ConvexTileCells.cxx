@@ -14,9 +14,6 @@
 
 namespace
 {
-// In pixels: the rounding of floats must not keep a pixel from a cell in double.
-constexpr float ExactMargin = 1.0f / 64.0f;
-
 bool HasFaceInDoubt(const ConvexTileMesh& mesh, const ConvexTileFaces& faces, int cell)
 {
   const int* row = mesh.Faces.GetRow(cell);
@@ -128,7 +125,8 @@ void ConvexTileCells::ProjectCell(const ConvexTileMesh& mesh, const TileView& vi
   const bool fallsFar = FallsFar(view, this->Ranges[cell]);
   isExact = isExact || fallsFar || HasFaceInDoubt(mesh, faces, cell);
   this->Exact[cell] = !isExact ? None : fallsFar || !extent.IsOnScreen() ? AlongRays : OnScreen;
+  const auto margin = static_cast<float>(isExact ? ConvexTileExactCell::Margin : 0.0);
   this->SetBox(cell,
-    extent.IsOnScreen() ? extent.GetBox(view, isExact ? ExactMargin : 0.0f)
+    extent.IsOnScreen() ? extent.GetBox(view, margin)
                         : ConvexTileExactCell::FindBox(mesh, view, cell));
 }

@@ -16,8 +16,6 @@ namespace
 {
 // Along no face of a tidy mesh.
 const glm::dvec3 NudgeDirection(0.6180340, 0.4142136, 0.2360680);
-// In pixels: rounding must not keep a pixel from a cell.
-constexpr double Margin = 1.0 / 64.0;
 
 glm::dvec3 PointOf(const ConvexTileMesh& mesh, int id)
 {

@@ -40,6 +40,8 @@ public:
   /** Sine of the angle below which a ray runs along a plane, and the height that is rounding there. */
   static constexpr double Rounding = 1e-12;
   static constexpr double FarAway = 1e30;
+  /** In pixels: rounding must not keep a pixel from a cell in double. */
+  static constexpr double Margin = 1.0 / 64.0;
 
   /** Inside where Normal . (x - Center) + Offset > 0. */
   struct Plane

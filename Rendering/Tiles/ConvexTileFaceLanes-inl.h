@@ -188,6 +188,16 @@ struct FaceKinds
   hn::Mask<D> HasTwo, IsWarped, IsStep;
 };
 
+/// The numbers of one face, of what ProjectFaceLanes stores.
+template <class Number, std::size_t Count>
+void CopyFace(const Number (&stored)[4][Count][4], int k, ConvexTileFaceOf<Number>& face)
+{
+  for (int part = 0; part < 4; ++part)
+  {
+    std::memcpy(&face.X + 4 * part, stored[part][k], 4 * sizeof(Number));
+  }
+}
+
 /// Four by four the numbers of class ConvexTileFace, of as many faces as a vector has lanes, to `out`.
 template <class D, class Corners>
 void ProjectFaceLanes(D d, const Corners& corners, const FaceKinds<D>& kinds,

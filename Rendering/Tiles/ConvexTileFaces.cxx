@@ -15,7 +15,6 @@
 #include "ConvexTileFaceLanes-inl.h"
 
 #include <algorithm>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -62,11 +61,7 @@ struct FaceGroup
 
   void CopyTo(int k, ConvexTileFace& face) const
   {
-    float* const numbers = &face.X;
-    for (int part = 0; part < 4; ++part)
-    {
-      std::memcpy(numbers + 4 * part, this->Out[part][k], 4 * sizeof(float));
-    }
+    CopyFace(this->Out, k, face);
     // Faces of more than two triangles are left to class ConvexTileExactCell.
     face.Side = (this->Kinds[k] & ConvexTileMesh::MoreTriangles) != 0 ? 0.0f : face.Side;
   }

@@ -20,7 +20,6 @@
 #include <algorithm>
 #include <array>
 #include <cstddef>
-#include <cstring>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -99,11 +98,7 @@ private:
       d, corners, FaceKinds<LaneDouble>{ flag(0), flag(1), flag(2) }, limits, out);
     for (int k = 0; k < Lanes; ++k)
     {
-      for (int part = 0; part < 4; ++part)
-      {
-        std::memcpy(
-          &this->Faces[first + k].X + 4 * part, this->Out[part][k], 4 * sizeof(double));
-      }
+      CopyFace(this->Out, k, this->Faces[first + k]);
     }
   }
 
