@@ -10,6 +10,7 @@
 
 #include "TileCoverage-inl.h"
 #include "TileSetup-inl.h"
+#include "TileSpanOracle.h"
 
 #ifndef TestTileSpans_Errors
 #define TestTileSpans_Errors
@@ -39,63 +40,6 @@ namespace CellProjectionTiles
 {
 namespace HWY_NAMESPACE
 {
-// One cell of a group in double.
-class SpanOracle
-{
-public:
-  SpanOracle(const TileGroup& group, int k)
-  {
-    for (int f = 0; f < (group.Cut[k] != 0 ? 6 : 4); ++f)
-    {
-      const bool enters = f < 4 ? (group.Entries[k] >> f & 1) != 0 : f == TileGroup::CutEntry;
-      (enters ? this->Entries : this->Exits).push_back({ group.A[f][k], group.B[f][k], group.P[f][k], f });
-    }
-  }
-
-  struct Ray
-  {
-    double Entry = 1e300, Exit = -1e300;
-    /// How far inside the outline, in pixels.
-    double Inside = 1e300;
-    /// What rounding is a share of.
-    double Terms = 0.0;
-  };
-  Ray Cross(double x, double y) const
-  {
-    Ray ray;
-    for (const Plane& in : this->Entries)
-    {
-      ray.Entry = std::min(ray.Entry, in.At(x, y));
-      ray.Terms = std::max(ray.Terms, in.TermsAt(x, y));
-      for (const Plane& out : this->Exits)
-      {
-        ray.Exit = std::max(ray.Exit, out.At(x, y));
-        ray.Terms = std::max(ray.Terms, out.TermsAt(x, y));
-        const double apart = in.At(x, y) - out.At(x, y), slope = std::hypot(in.A - out.A, in.B - out.B);
-        const bool areCuts = in.Face >= 4 && out.Face >= 4;
-        ray.Inside = areCuts ? ray.Inside : std::min(ray.Inside, apart / std::max(slope, 1e-300));
-      }
-    }
-    return ray;
-  }
-
-private:
-  struct Plane
-  {
-    double A, B, P;
-    int Face;
-
-    double At(double x, double y) const { return this->A * x + this->B * y + this->P; }
-    double TermsAt(double x, double y) const
-    {
-      const double terms = std::abs(this->A * x) + std::abs(this->B * y) + std::abs(this->P);
-      // A cut that there is not lies before or behind everything.
-      return terms < 1e29 ? terms : 0.0;
-    }
-  };
-  std::vector<Plane> Entries, Exits;
-};
-
 // What was found of one cell: a fragment for each pixel of the tile, or -1.
 using FoundPixels = std::array<int, TileSize::Pixels * TileSize::Pixels>;
 
@@ -136,12 +80,12 @@ void CheckCell(const TileFragments& q, const TileGroup& group, int k, TileSpanEr
 {
   static FoundPixels found;
   errors.Wrong += FindFragments(q, group, k, found) ? 0 : 1;
-  const SpanOracle oracle(group, k);
+  const TileSpanOracle oracle(group, k);
   for (int y = 0; y < group.Height[k]; ++y)
   {
     for (int x = 0; x < group.Width[k]; ++x)
     {
-      const SpanOracle::Ray ray = oracle.Cross(x, y);
+      const TileSpanOracle::Ray ray = oracle.Cross(x, y);
       const int at = found[(group.Bottom[k] + y) * TileSize::Pixels + group.Left[k] + x];
       errors.Missed = std::max(errors.Missed, at < 0 ? ray.Inside : 0.0);
       errors.Held = std::max(errors.Held, at < 0 ? 0.0 : -ray.Inside);
@@ -206,13 +150,12 @@ HWY_AFTER_NAMESPACE();
 
 #if HWY_ONCE
 #include "HardTetrahedra.h"
+#include "ScreenCells.h"
 #include "TestScene.h"
-#include "TransferFunction.h"
 
 #include <hwy/targets.h>
 
 #include <iostream>
-#include <numeric>
 
 namespace CellProjectionTiles
 {
@@ -221,67 +164,13 @@ HWY_EXPORT(CheckSpans);
 
 namespace
 {
-/// Cells with places on the screen, and no mesh that they come from.
-struct ScreenCells
-{
-  TileMesh Mesh;
-  TileView View;
-  TileVertices Vertices;
-  TileCells Cells;
-  TileTransfer Transfer;
-  TileTask Task;
-  int Count;
-
-  ScreenCells(int kind, int count, bool isCut)
-    : Count(count)
-  {
-    this->Vertices.Values = HardTetrahedra(kind, count, 7u + static_cast<unsigned int>(kind)).Corners;
-    this->Mesh.Corners.resize(4 * static_cast<std::size_t>(count));
-    std::iota(this->Mesh.Corners.begin(), this->Mesh.Corners.end(), 0);
-    this->Mesh.Steps.assign(static_cast<std::size_t>(count), 0);
-    this->Cells.Faces.assign(static_cast<std::size_t>(count), 0);
-    // So deep that floats are trusted wherever they are numbers.
-    this->View.Extent = 1e6;
-    const std::vector<double> nodes = { 0.0, 0.3, 0.4, 0.6, 0.7, 1.0 };
-    const double range[2] = { 0.0, 1.0 };
-    TransferFunction function;
-    function.Build(nodes,
-      [isCut](double x) { return TransferFunction::Sample{ { x, 0.5, 0.5, isCut && (x < 0.35 || x > 0.65) ? 0.0 : 0.5 } }; },
-      range, range, 1.0);
-    this->Transfer.Build(function, 1.0);
-    this->Task.Mesh = &this->Mesh;
-    this->Task.View = &this->View;
-    this->Task.Vertices = &this->Vertices;
-    this->Task.Cells = &this->Cells;
-    this->Task.Transfer = &this->Transfer;
-    this->Task.OpticalDepth = 1e-6;
-  }
-};
-
-// Whole tiles, parts of them, one pixel; a cell's place counts from the viewport's corner.
-std::vector<TileRectangle> MakeRectangles()
-{
-  std::vector<TileRectangle> rectangles = { TileRectangle::OfTile(0, 64, 64), TileRectangle::OfTile(0, 33, 17),
-    TileRectangle::OfTile(3, 100, 128) };
-  for (const auto& box : { std::array<int, 4>{ 3, 5, 60, 47 }, { 31, 0, 31, 63 }, { 0, 20, 63, 20 }, { 30, 30, 30, 30 } })
-  {
-    TileRectangle part = rectangles[0];
-    part.FirstX = box[0];
-    part.FirstY = box[1];
-    part.LastX = box[2];
-    part.LastY = box[3];
-    rectangles.push_back(part);
-  }
-  return rectangles;
-}
-
 void CheckKind(TestChecks& checks, int kind, bool isCut)
 {
-  const ScreenCells cells(kind, 300, isCut);
+  const ScreenCells cells(HardTetrahedra(kind, 300, 7u + static_cast<unsigned int>(kind)).Corners, isCut);
   TileSpanErrors errors;
-  for (const TileRectangle& rectangle : MakeRectangles())
+  for (const TileRectangle& rectangle : ScreenCells::MakeRectangles())
   {
-    HWY_DYNAMIC_DISPATCH(CellProjectionTiles::CheckSpans)(cells.Task, rectangle, cells.Count, errors);
+    HWY_DYNAMIC_DISPATCH(CellProjectionTiles::CheckSpans)(cells.Task, rectangle, cells.GetCount(), errors);
   }
   std::cout << "  " << HardTetrahedra::GetName(kind) << (isCut ? ", cut" : "") << ": " << errors.Cells << " cells, "
             << errors.FourSided << " of four sides, " << errors.Cut << " cut, " << errors.Exact << " in double, "
