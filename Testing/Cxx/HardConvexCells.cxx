@@ -16,7 +16,7 @@
 const char* HardConvexCells::GetName(int kind)
 {
   static const std::array<const char*, NumberOfKinds> names = { "any", "warped", "on rows", "on columns", "on pixels",
-    "beside rows", "of a row", "of a column", "slivers", "flat" };
+    "beside rows", "of a row", "of a column", "slivers", "flat", "along rows" };
   return names[kind];
 }
 
@@ -29,7 +29,8 @@ double HardConvexCells::Random(double least, double greatest)
 //------------------------------------------------------------------------------
 void HardConvexCells::SetAxes(int kind)
 {
-  const double whole = 2.0 * std::pow(kind == BesideRows ? 200.0 : 40.0, this->Random(0.0, 1.0)), few = this->Random(0.2, 1.2);
+  const double largest = kind == BesideRows || kind == AlongRows ? 200.0 : 40.0;
+  const double whole = 2.0 * std::pow(largest, this->Random(0.0, 1.0)), few = this->Random(0.2, 1.2);
   const double size[3] = { kind == Column ? few : whole, kind == Row ? few : whole, kind == Flat ? 1e-4 : 0.2 };
   const double turn = this->Random(0.0, 6.3), thin = std::pow(10.0, this->Random(-2.0, 0.0)) / whole;
   const double across[2] = { -std::sin(turn), std::cos(turn) };
@@ -45,6 +46,7 @@ void HardConvexCells::SetAxes(int kind)
     {
       this->Axes[i][k] -= out * across[k];
     }
+    this->Axes[i][1] = kind == AlongRows && i != 1 ? 0.0 : this->Axes[i][1];
   }
 }
 
@@ -64,7 +66,12 @@ void HardConvexCells::MapPoint(int kind, const double (&reference)[3], double (&
   point[1] = kind == OnRows || kind == OnPixels ? std::round(point[1]) : point[1];
   if (kind == BesideRows)
   {
-    point[1] = std::round(point[1]) + std::round(this->Random(-3.0, 3.0)) * std::pow(0.5, std::round(this->Random(13.5, 18.5)));
+    const double digits = std::round(this->Random(-3.0, 3.0));
+    point[1] = std::round(point[1]) + digits * std::pow(0.5, std::round(this->Random(13.5, 18.5)));
+  }
+  if (kind == AlongRows)
+  {
+    point[1] = std::round(point[1]) + this->Random(-1e-5, 1e-5);
   }
   for (int k = 0; k < 2; ++k)
   {

@@ -31,6 +31,8 @@ public:
     Slivers,
     /// What is before and behind lies close together.
     Flat,
+    /// Long edges along rows of pixels, but for what is less than a float's last digits on the screen.
+    AlongRows,
     NumberOfKinds
   };
   static const char* GetName(int kind);
