@@ -249,8 +249,8 @@ std::string CellAccount::CheckEntry(
   text << why << ", volume " << volume << " for " << entry.Volume << " of size " << entry.Size;
   const std::string found = text.str();
   const bool isWhole = why.empty() || StartsWith(why, "cut into") ||
-                       StartsWith(why, "not convex") || StartsWith(why, "no corner") || StartsWith(why, "no point sees all:") ||
-                       StartsWith(why, "repeats");
+                       StartsWith(why, "not convex") || StartsWith(why, "no corner") ||
+                       StartsWith(why, "no point sees all:") || StartsWith(why, "repeats");
   if (StartsWith(why, "a point that is not finite") == (entry.Finite || !entry.Listed))
   {
     return StartsWith(why, "wrong list") ? "" : "finite or not: " + found;

@@ -76,7 +76,8 @@ void HardTetrahedra::Place(int kind, double (&corners)[4][3])
 //------------------------------------------------------------------------------
 void HardTetrahedra::Snap(int kind, double (&corners)[4][3])
 {
-  const int places[3] = { kind == OnColumns || kind == OnPixels ? 4 : 0, kind == OnRows || kind == OnPixels ? 4 : 0, 0 };
+  const bool isOnColumns = kind == OnColumns || kind == OnPixels, isOnRows = kind == OnRows || kind == OnPixels;
+  const int places[3] = { isOnColumns ? 4 : 0, isOnRows ? 4 : 0, 0 };
   for (int k = 0; k < 2; ++k)
   {
     for (int i = 0; i < places[k]; ++i)

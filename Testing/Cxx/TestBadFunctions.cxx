@@ -104,7 +104,8 @@ void CheckRange(TestChecks& checks, int engine, bool lit)
   below.Opacity->AddPoint(0.8, -2.0);
   CheckError(checks, below, "opacity below 0");
   below.Render();
-  CHECK(below.Messages->Count() == 1 && below.Messages->CountOf("2 points of the property's scalar opacity function are below 0") == 1);
+  CHECK(below.Messages->Count() == 1);
+  CHECK(below.Messages->CountOf("2 points of the property's scalar opacity function are below 0") == 1);
 }
 
 void CheckNotFinite(TestChecks& checks, int engine, bool lit)

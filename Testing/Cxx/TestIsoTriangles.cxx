@@ -1,6 +1,7 @@
 // The triangles of opaque iso-surfaces: a plane's have its area and no crack, a face on the value
-// counts once, what is not a number is left out, each has a vertex of its own number. Drawn, they give the image of the surfaces found
-// ray by ray in the cells, straight into the window as through the captured image.
+// counts once, what is not a number is left out, each has a vertex of its own number. Drawn, they give
+// the image of the surfaces found ray by ray in the cells, straight into the window as through the
+// captured image.
 
 #include "OpaquePlane.h"
 #include "IsoTriangles.h"

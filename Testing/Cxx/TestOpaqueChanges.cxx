@@ -176,8 +176,9 @@ void CheckFrames(TestChecks& checks, const Make& make, bool hasTwo)
     scene.Scene->Window->SetDesiredUpdateRate(frame.IsCoarse ? 1e7 : 1e-4);
     const Shown shown = scene.ShowWith(place);
     CHECK(shown == expected[frame.IsCoarse ? 1 : 0][place]);
+    vtkTable* statistics = scene.Scene->Mapper->GetLastStatistics();
     // Said of coarse frames alone.
-    CHECK((scene.Scene->Mapper->GetLastStatistics()->GetColumnByName("ImageSampleDistance") != nullptr) == frame.IsCoarse);
+    CHECK((statistics->GetColumnByName("ImageSampleDistance") != nullptr) == frame.IsCoarse);
   }
 }
 

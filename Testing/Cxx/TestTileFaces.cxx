@@ -1,5 +1,5 @@
-// Through which faces of tetrahedra rays leave towards a neighbour, and which cells they enter the mesh through, against
-// where the fourth corner lies: of scalars per point and per cell, for every instruction set.
+// Through which faces of tetrahedra rays leave towards a neighbour, and which cells they enter the mesh through,
+// against where the fourth corner lies: of scalars per point and per cell, for every instruction set.
 
 #include "TestScene.h"
 #include "TileArrays.h"

@@ -1,6 +1,6 @@
-// The queue of fragments that the Tiles engine fills with whole groups of tetrahedra, in floats and in double, and hands
-// on whenever it is full, against all pixels of their boxes by the planes themselves: for every instruction set that
-// this machine has no cell's fragments are lost, repeated, overwritten or taken for another cell's.
+// The queue of fragments that the Tiles engine fills with whole groups of tetrahedra, in floats and in double, and
+// hands on whenever it is full, against all pixels of their boxes by the planes themselves: for every instruction set
+// that this machine has no cell's fragments are lost, repeated, overwritten or taken for another cell's.
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "TestTileRuns.cxx"

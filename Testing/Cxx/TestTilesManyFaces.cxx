@@ -93,7 +93,8 @@ int TestTilesManyFaces(int, char*[])
     engine.SetDrawn(arrays.Drawn);
     std::vector<float> bright = Draw(checks, engine, 10.0 / Brighter);
     const std::vector<float> dim = Draw(checks, engine, 10.0);
-    std::transform(bright.begin(), bright.end(), bright.begin(), [](float x) { return x / static_cast<float>(Brighter); });
+    std::transform(bright.begin(), bright.end(), bright.begin(),
+      [](float x) { return x / static_cast<float>(Brighter); });
     const double difference = TileArrays::LargestDifference(bright, dim);
     const double greatest = *std::max_element(dim.begin(), dim.end());
     std::cout << 2 * sides << " faces: " << greatest << ", off by " << difference << "\n";
