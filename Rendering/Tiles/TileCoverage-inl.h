@@ -281,9 +281,11 @@ inline int CoverRunOfCells(
   return k;
 }
 
-/// Cells of a group from k on until the queue is full or the group ends; returns the next cell.
-inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
-  const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out)
+/// Cells of a group from k on until the queue is full or the group ends; returns the next cell. `flush` empties the
+/// queue.
+template <class Flush>
+int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
+  const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out, const Flush& flush)
 {
   while (k < count && out.Count < TileFragments::Full)
   {
@@ -295,7 +297,7 @@ inline int CoverGroup(const TileTask& task, const TileRectangle& tile, const Til
     out.BeginCell(ids[k]);
     // It finds its box itself.
     boxes[k] = TileBox::WholeTile();
-    CoverExactCell(task, tile, ids[k], out);
+    CoverExactCell(task, tile, ids[k], out, flush);
     ++k;
   }
   return k;

@@ -74,21 +74,40 @@ inline int AppendFragments(hn::Mask<ExactFloat> covered, ExactVector entry, Exac
   return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
-/// The same of a tetrahedron.
-inline void AppendExact(const TileExactCell& cell, hn::Mask<ExactFloat> covered, ExactVector x,
-  double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+/// The same of a tetrahedron, in parts over which the weight falls to a share of no less than LeastShare: beside a
+/// great weight a float does not keep the digits of a small one.
+inline void AppendExact(const TileExactCell& cell, const TileView& view, hn::Mask<ExactFloat> covered,
+  ExactVector x, double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
 {
   const ExactFloat d;
   const auto perU = hn::Set(d, cell.ScalarC);
   const auto scalar = hn::MulAdd(
     hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
-  out.Count = AppendFragments(covered, entry, exit, hn::MulAdd(perU, entry, scalar),
-    hn::MulAdd(perU, exit, scalar), Ramp(hn::Rebind<std::int32_t, ExactFloat>(), pixel), out.Count, out);
+  const auto pixels = Ramp(hn::Rebind<std::int32_t, ExactFloat>(), pixel);
+  const auto scale = hn::Set(d, view.WeightScale), offset = hn::Set(d, view.WeightOffset);
+  const auto last = hn::MulAdd(scale, exit, offset);
+  // What is before that many parts is nothing beside them.
+  const auto most = hn::Mul(last, hn::Set(d, TileExactCell::MostWeight));
+  if (view.WeightScale > 0.0)
+  {
+    entry = hn::Min(entry, hn::Sub(most, offset));
+  }
+  while (!hn::AllFalse(d, covered))
+  {
+    const auto least = hn::Mul(hn::MulAdd(scale, entry, offset), hn::Set(d, TileExactCell::LeastShare));
+    const auto isLast = hn::Ge(last, least);
+    const auto end = hn::IfThenElse(isLast, exit, hn::Sub(least, offset));
+    out.Count = AppendFragments(covered, entry, end, hn::MulAdd(perU, entry, scalar),
+      hn::MulAdd(perU, end, scalar), pixels, out.Count, out);
+    covered = hn::AndNot(isLast, covered);
+    entry = end;
+  }
 }
 
-/// A cell in double: see class TileExactCell.
-inline void CoverExactCell(
-  const TileTask& task, const TileRectangle& tile, int id, TileFragments& out)
+/// A cell in double: see class TileExactCell; `flush` empties the queue where parts fill it.
+template <class Flush>
+void CoverExactCell(
+  const TileTask& task, const TileRectangle& tile, int id, TileFragments& out, const Flush& flush)
 {
   const TileExactCell cell(*task.Mesh, *task.View, id);
   const ExactFloat d;
@@ -111,8 +130,13 @@ inline void CoverExactCell(
       if (!hn::AllFalse(d, covered))
       {
         const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
-        AppendExact(cell, covered, x, y, entry, exit, pixel, out);
+        AppendExact(cell, *task.View, covered, x, y, entry, exit, pixel, out);
       }
+    }
+    if (out.Count > TileFragments::Capacity - 64 - TileSize::Pixels * TileExactCell::MostParts)
+    {
+      flush();
+      out.BeginCell(id);
     }
   }
 }

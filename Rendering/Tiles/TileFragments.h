@@ -12,7 +12,8 @@
 
 struct TileFragments
 {
-  /** Emptied between cells when there are this many; one cell covers a tile at most. */
+  /** Emptied between cells when there are this many; one cell covers a tile at most, or is handed on between its
+   * rows. */
   static constexpr int Full = 512;
   static constexpr int Capacity = Full + TileSize::Pixels * TileSize::Pixels + 64;
 

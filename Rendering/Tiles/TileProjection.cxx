@@ -134,7 +134,8 @@ void CoverTile(
     scratch.Clock.Lap(TileStages::SetUp);
     for (int k = 0; k < count;)
     {
-      k = CoverGroup(task, tile, scratch.Group, &ids[at], k, count, &scratch.Boxes[at], scratch.Fragments);
+      k = CoverGroup(
+        task, tile, scratch.Group, &ids[at], k, count, &scratch.Boxes[at], scratch.Fragments, handOn);
       if (scratch.Fragments.Count >= TileFragments::Full)
       {
         handOn();

@@ -129,7 +129,7 @@ private:
     for (int k = 0; k < count;)
     {
       const int begin = k;
-      k = CoverGroup(this->Task, this->Tile, this->Group, ids, k, count, boxes, this->Queue);
+      k = CoverGroup(this->Task, this->Tile, this->Group, ids, k, count, boxes, this->Queue, [] {});
       for (int cell = begin; cell < k; ++cell)
       {
         this->Expect(ids[cell], cell);

@@ -111,7 +111,7 @@ void CheckCellOfGroup(const TileTask& task, const TileRectangle& tile, const Til
   }
   std::uint32_t boxes[TileGroup::Size];
   q.Count = 0;
-  CoverGroup(task, tile, group, ids, k, k + 1, boxes, q);
+  CoverGroup(task, tile, group, ids, k, k + 1, boxes, q, [] {});
   CheckCell(q, group, k, errors);
   const bool areBoxes =
     IsBox(task, ids[k], 0, tile.FirstX, tile.LastX, group.Left[k] + tile.Left, group.Width[k]) &&
