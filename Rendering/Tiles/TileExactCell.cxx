@@ -18,13 +18,6 @@ const glm::dvec3 NudgeDirection(0.6180340, 0.4142136, 0.2360680);
 // Of the sum of a plane's terms: what is below is rounding.
 constexpr double Rounding = 4e-15;
 
-glm::dvec3 PointOf(const TileMesh& mesh, int cell, int corner)
-{
-  const auto id =
-    static_cast<std::size_t>(mesh.Corners[4 * static_cast<std::size_t>(cell) + corner]);
-  return glm::dvec3(glm::make_vec3(&mesh.Points[4 * id]));
-}
-
 double ScalarOf(const TileMesh& mesh, int cell, int corner)
 {
   if (!mesh.CellScalars.empty())
@@ -51,37 +44,60 @@ struct ScreenBounds
 
   void Add(const glm::dvec4& screen)
   {
+    const double inverse = 1.0 / screen.w;
     for (int i = 0; i < 2; ++i)
     {
-      const double at = std::min(std::max(screen[i] / screen.w, -1e6), 1e6);
+      const double at = std::min(std::max(screen[i] * inverse, -1e6), 1e6);
       this->Low[i] = std::min(this->Low[i], at);
       this->High[i] = std::max(this->High[i], at);
     }
   }
 };
+
+// Where the edges from corner i to those behind it cross the near plane.
+void AddCuts(const glm::dvec4 (&corners)[4], const double (&before)[4], int i, ScreenBounds& bounds)
+{
+  for (int j = i + 1; j < 4; ++j)
+  {
+    if ((before[i] > 0.0) == (before[j] > 0.0))
+    {
+      continue;
+    }
+    const glm::dvec4 cut = glm::mix(corners[i], corners[j], before[i] / (before[i] - before[j]));
+    if (cut.w > 0.0)
+    {
+      bounds.Add(cut);
+    }
+  }
+}
 }
 
 //------------------------------------------------------------------------------
 TileExactCell::TileExactCell(const TileMesh& mesh, const TileView& view, int cell)
 {
-  this->SetPlanes(mesh, view, cell);
-  this->SetScalar(mesh, view, cell);
-  this->SetBox(mesh, view, cell);
+  Points points;
+  for (int i = 0; i < 4; ++i)
+  {
+    const auto id = static_cast<std::size_t>(mesh.Corners[4 * static_cast<std::size_t>(cell) + i]);
+    points[i] = glm::dvec3(glm::make_vec3(&mesh.Points[4 * id]));
+  }
+  this->SetPlanes(points, mesh.Orientations[cell] > 0, view);
+  const double scalars[4] = { ScalarOf(mesh, cell, 0), ScalarOf(mesh, cell, 1), ScalarOf(mesh, cell, 2),
+    ScalarOf(mesh, cell, 3) };
+  this->SetScalar(points, scalars, view);
+  this->SetBox(points, view);
 }
 
 //------------------------------------------------------------------------------
-void TileExactCell::SetPlanes(const TileMesh& mesh, const TileView& view, int cell)
+void TileExactCell::SetPlanes(const Points& points, bool positive, const TileView& view)
 {
-  const bool positive = mesh.Orientations[cell] > 0;
   const double farthest = std::max(view.Width, view.Height);
   for (int f = 0; f < 4; ++f)
   {
     const int* side = TileMesh::FaceCorners[f];
-    const glm::dvec3 a = PointOf(mesh, cell, side[0]);
-    const glm::dvec3 cross =
-      glm::cross(PointOf(mesh, cell, side[1]) - a, PointOf(mesh, cell, side[2]) - a);
-    const double length = glm::length(cross);
-    const glm::dvec3 normal = length > 0.0 ? cross / length : cross;
+    const glm::dvec3 a = points[side[0]];
+    // Of any length: nothing depends on it.
+    const glm::dvec3 normal = glm::cross(points[side[1]] - a, points[side[2]] - a);
     const glm::dvec4 inMesh(normal, -glm::dot(normal, a));
     const glm::dvec4 screen = view.PlaneToScreen * inMesh;
     Plane& plane = this->Planes[f];
@@ -101,21 +117,20 @@ void TileExactCell::SetPlanes(const TileMesh& mesh, const TileView& view, int ce
 }
 
 //------------------------------------------------------------------------------
-void TileExactCell::SetScalar(const TileMesh& mesh, const TileView& view, int cell)
+void TileExactCell::SetScalar(const Points& points, const double (&scalars)[4], const TileView& view)
 {
-  const glm::dvec3 origin = PointOf(mesh, cell, 0);
-  const glm::dvec3 edges[3] = { PointOf(mesh, cell, 1) - origin, PointOf(mesh, cell, 2) - origin,
-    PointOf(mesh, cell, 3) - origin };
-  const double first = ScalarOf(mesh, cell, 0);
-  const double volume = glm::dot(edges[0], glm::cross(edges[1], edges[2]));
+  const glm::dvec3 edges[3] = { points[1] - points[0], points[2] - points[0], points[3] - points[0] };
+  const glm::dvec3 normals[3] = { glm::cross(edges[1], edges[2]), glm::cross(edges[2], edges[0]),
+    glm::cross(edges[0], edges[1]) };
+  const double first = scalars[0];
+  const double inverse = 1.0 / glm::dot(edges[0], normals[0]);
   glm::dvec3 gradient(0.0);
   for (int i = 0; i < 3; ++i)
   {
-    const glm::dvec3 normal = glm::cross(edges[(i + 1) % 3], edges[(i + 2) % 3]);
-    gradient += (ScalarOf(mesh, cell, i + 1) - first) / volume * normal;
+    gradient += (scalars[i + 1] - first) * inverse * normals[i];
   }
   // The first scalar apart: differences keep their digits.
-  const glm::dvec4 linear = view.PlaneToScreen * glm::dvec4(gradient, -glm::dot(gradient, origin));
+  const glm::dvec4 linear = view.PlaneToScreen * glm::dvec4(gradient, -glm::dot(gradient, points[0]));
   this->ScalarA = linear.x;
   this->ScalarB = linear.y;
   this->ScalarC = linear.z + first * view.WeightScale;
@@ -123,35 +138,27 @@ void TileExactCell::SetScalar(const TileMesh& mesh, const TileView& view, int ce
 }
 
 //------------------------------------------------------------------------------
-void TileExactCell::SetBox(const TileMesh& mesh, const TileView& view, int cell)
+void TileExactCell::SetBox(const Points& points, const TileView& view)
 {
   // Before the near plane: h * (NearU - u) >= 0 for points before the eye.
   glm::dvec4 corners[4];
   double before[4];
+  int inside = 0;
   ScreenBounds bounds;
   for (int i = 0; i < 4; ++i)
   {
-    corners[i] = view.MeshToScreen * glm::dvec4(PointOf(mesh, cell, i), 1.0);
+    corners[i] = view.MeshToScreen * glm::dvec4(points[i], 1.0);
     before[i] = corners[i].w * view.NearU - corners[i].z;
     if (before[i] > 0.0 && corners[i].w > 0.0)
     {
       bounds.Add(corners[i]);
+      inside += corners[i].z > corners[i].w * view.FarU ? 1 : 0;
     }
   }
-  for (int i = 0; i < 4; ++i)
+  this->IsBetween = inside == 4;
+  for (int i = 0; !this->IsBetween && i < 4; ++i)
   {
-    for (int j = i + 1; j < 4; ++j)
-    {
-      if ((before[i] > 0.0) == (before[j] > 0.0))
-      {
-        continue;
-      }
-      const glm::dvec4 cut = glm::mix(corners[i], corners[j], before[i] / (before[i] - before[j]));
-      if (cut.w > 0.0)
-      {
-        bounds.Add(cut);
-      }
-    }
+    AddCuts(corners, before, i, bounds);
   }
   const int size[2] = { view.Width, view.Height };
   for (int i = 0; i < 2; ++i)

@@ -12,6 +12,8 @@
 #ifndef TileExactCell_h
 #define TileExactCell_h
 
+#include <glm/vec3.hpp>
+
 #include <array>
 
 class TileMesh;
@@ -40,11 +42,15 @@ public:
   static constexpr int MostParts = 16;
   /** First and last pixel column, first and last row; empty where last < first. */
   std::array<int, 4> Box{ { 0, 0, -1, -1 } };
+  /** Whether all of it lies between the near and the far plane. */
+  bool IsBetween = false;
 
 private:
-  void SetPlanes(const TileMesh& mesh, const TileView& view, int cell);
-  void SetScalar(const TileMesh& mesh, const TileView& view, int cell);
-  void SetBox(const TileMesh& mesh, const TileView& view, int cell);
+  using Points = std::array<glm::dvec3, 4>;
+
+  void SetPlanes(const Points& points, bool positive, const TileView& view);
+  void SetScalar(const Points& points, const double (&scalars)[4], const TileView& view);
+  void SetBox(const Points& points, const TileView& view);
 };
 
 #endif

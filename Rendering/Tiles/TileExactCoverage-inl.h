@@ -20,6 +20,7 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
+#include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -49,6 +50,26 @@ inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const Til
     value = hn::Mul(value, hn::Set(d, plane.Inverse));
     entry = plane.IsEntry ? hn::Min(entry, value) : entry;
     exit = plane.IsEntry ? exit : hn::Max(exit, value);
+  }
+  return hn::Lt(exit, entry);
+}
+
+/// The same of a cell of which no plane is seen edge-on.
+HWY_INLINE hn::Mask<ExactFloat> CoverExactLines(
+  const TileExactRows& rows, ExactVector x, double y, ExactVector& entry, ExactVector& exit)
+{
+  const ExactFloat d;
+  auto at = [&](const TileExactRows::Line& line)
+  { return hn::MulAdd(hn::Set(d, line.A), x, hn::Set(d, line.B * y + line.E)); };
+  entry = hn::Set(d, rows.Entries.Lines[0].E);
+  exit = hn::Set(d, rows.Exits.Lines[0].E);
+  for (int i = 1; i < rows.Entries.Count; ++i)
+  {
+    entry = hn::Min(entry, at(rows.Entries.Lines[i]));
+  }
+  for (int i = 1; i < rows.Exits.Count; ++i)
+  {
+    exit = hn::Max(exit, at(rows.Exits.Lines[i]));
   }
   return hn::Lt(exit, entry);
 }
@@ -104,39 +125,82 @@ inline void AppendExact(const TileExactCell& cell, const TileView& view, hn::Mas
   }
 }
 
+/// Where in rows of pixels a cell may be, of a vector of rows at a time; first > last where it is not.
+struct ExactBounds
+{
+  HWY_ALIGN std::int32_t First[8];
+  HWY_ALIGN std::int32_t Last[8];
+
+  /// Of the rows from y on, between `first` and `last`.
+  HWY_INLINE void Find(const TileExactRows& rows, int y, int first, int last)
+  {
+    const ExactFloat d;
+    const hn::Rebind<std::int32_t, ExactFloat> di;
+    const auto row = Ramp(d, static_cast<double>(y));
+    auto begin = hn::Set(d, static_cast<double>(first)), end = hn::Set(d, static_cast<double>(last));
+    auto at = [&](const TileExactRows::Edge& edge)
+    { return hn::MulAdd(hn::Set(d, edge.Slope), row, hn::Set(d, edge.Offset)); };
+    for (int i = 0; i < rows.Left.Count; ++i)
+    {
+      begin = hn::Max(begin, at(rows.Left.Edges[i]));
+    }
+    for (int i = 0; i < rows.Right.Count; ++i)
+    {
+      end = hn::Min(end, at(rows.Right.Edges[i]));
+    }
+    // Back to whole pixels of the row.
+    begin = hn::Ceil(hn::Min(begin, hn::Set(d, last + 1.0)));
+    end = hn::Floor(hn::Max(end, hn::Sub(begin, hn::Set(d, 1.0))));
+    hn::Store(hn::DemoteTo(di, begin), di, this->First);
+    hn::Store(hn::DemoteTo(di, end), di, this->Last);
+  }
+};
+
+/// The pixels of a cell's row from `begin` to `end`.
+HWY_INLINE void CoverExactRow(const TileTask& task, const TileRectangle& tile, const TileExactCell& cell,
+  const TileExactRows& rows, int y, int begin, int end, TileFragments& out)
+{
+  const ExactFloat d;
+  const int lanes = static_cast<int>(hn::Lanes(d));
+  out.CountLanes(end - begin + 1, 1, lanes, 1);
+  for (int left = begin; left <= end; left += lanes)
+  {
+    const auto x = Ramp(d, static_cast<double>(left));
+    ExactVector entry, exit;
+    const auto inRow = hn::FirstN(d, static_cast<std::size_t>(end - left + 1));
+    const auto covered =
+      hn::And(inRow, rows.HasEdgeOn ? CoverExactLanes(cell, *task.View, x, y, entry, exit)
+                                    : CoverExactLines(rows, x, y, entry, exit));
+    if (!hn::AllFalse(d, covered))
+    {
+      const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
+      AppendExact(cell, *task.View, covered, x, y, entry, exit, pixel, out);
+    }
+  }
+}
+
 /// A cell in double: see class TileExactCell; `flush` empties the queue where parts fill it.
 template <class Flush>
 void CoverExactCell(
   const TileTask& task, const TileRectangle& tile, int id, TileFragments& out, const Flush& flush)
 {
   const TileExactCell cell(*task.Mesh, *task.View, id);
-  const ExactFloat d;
-  const int lanes = static_cast<int>(hn::Lanes(d));
+  const int lanes = static_cast<int>(hn::Lanes(ExactFloat()));
   const int firstX = std::max(cell.Box[0], tile.FirstX), lastX = std::min(cell.Box[2], tile.LastX);
   const int firstY = std::max(cell.Box[1], tile.FirstY), lastY = std::min(cell.Box[3], tile.LastY);
   const TileExactRows rows(cell, *task.View);
-  for (int y = firstY; y <= lastY; ++y)
+  ExactBounds bounds;
+  for (int first = firstY; first <= lastY; first += lanes)
   {
-    int begin = firstX, end = lastX;
-    rows.Narrow(y, begin, end);
-    out.CountLanes(end - begin + 1, 1, lanes, 1);
-    for (int left = begin; left <= end; left += lanes)
+    bounds.Find(rows, first, firstX, lastX);
+    for (int y = first; y <= std::min(first + lanes - 1, lastY); ++y)
     {
-      const auto x = Ramp(d, static_cast<double>(left));
-      ExactVector entry, exit;
-      const auto inRow = hn::FirstN(d, static_cast<std::size_t>(end - left + 1));
-      const auto covered =
-        hn::And(inRow, CoverExactLanes(cell, *task.View, x, y, entry, exit));
-      if (!hn::AllFalse(d, covered))
+      CoverExactRow(task, tile, cell, rows, y, bounds.First[y - first], bounds.Last[y - first], out);
+      if (out.Count > TileFragments::Capacity - 64 - TileSize::Pixels * TileExactCell::MostParts)
       {
-        const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
-        AppendExact(cell, *task.View, covered, x, y, entry, exit, pixel, out);
+        flush();
+        out.BeginCell(id);
       }
-    }
-    if (out.Count > TileFragments::Capacity - 64 - TileSize::Pixels * TileExactCell::MostParts)
-    {
-      flush();
-      out.BeginCell(id);
     }
   }
 }

@@ -9,7 +9,6 @@
 
 #include "TileExactCell.h"
 
-#include <algorithm>
 #include <array>
 
 class TileView;
@@ -19,35 +18,24 @@ class TileExactRows
 public:
   TileExactRows(const TileExactCell& cell, const TileView& view);
 
-  /** Moves the first and the last pixel of a row to where the cell may be; first > last where it is not. */
-  void Narrow(int y, int& first, int& last) const
-  {
-    double begin = first, end = last;
-    for (int i = 0; i < this->Left.Count; ++i)
-    {
-      begin = std::max(begin, this->Left.Edges[i].At(y));
-    }
-    for (int i = 0; i < this->Right.Count; ++i)
-    {
-      end = std::min(end, this->Right.Edges[i].At(y));
-    }
-    // Back to whole pixels of the row.
-    first = WholeFrom(std::min(begin, last + 1.0));
-    last = -WholeFrom(-std::max(end, first - 1.0));
-  }
-
-private:
   /** u = A x + B y + E, of an entry or an exit. */
   struct Line
   {
     double A, B, E;
   };
+  /** The near plane and the entries, or the far plane and the exits, without planes seen edge-on. */
+  struct Surface
+  {
+    std::array<Line, 5> Lines;
+    int Count = 1;
+  };
+  Surface Entries, Exits;
+  bool HasEdgeOn = false;
+
   /** x = Slope y + Offset. */
   struct Edge
   {
     double Slope, Offset;
-
-    double At(double y) const { return this->Slope * y + this->Offset; }
   };
   /** Those that bound rows on one side. */
   struct Side
@@ -55,17 +43,11 @@ private:
     std::array<Edge, 8> Edges;
     int Count = 0;
   };
-
-  /** The first whole number that is not less: std::ceil is a call where the machine may be an old one. */
-  static int WholeFrom(double value)
-  {
-    const int near = static_cast<int>(value);
-    return near + (near < value ? 1 : 0);
-  }
-
-  void AddEdge(const Line& entry, const Line& exit, const TileView& view);
-
   Side Left, Right;
+
+private:
+  /** Whether rounding leaves it its place. */
+  bool AddEdge(const Line& entry, const Line& exit, const TileView& view);
 };
 
 #endif
