@@ -95,34 +95,64 @@ inline int AppendFragments(hn::Mask<ExactFloat> covered, ExactVector entry, Exac
   return at + static_cast<int>(hn::CountTrue(d, covered));
 }
 
-/// The same of a tetrahedron, in parts over which the weight falls to a share of no less than LeastShare: beside a
-/// great weight a float does not keep the digits of a small one.
-inline void AppendExact(const TileExactCell& cell, const TileView& view, hn::Mask<ExactFloat> covered,
-  ExactVector x, double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+/// Rays of a row of pixels from where they enter a tetrahedron to where they leave it.
+struct ExactRays
+{
+  /// Scalar times weight rises by PerU for each u, from Scalar.
+  ExactVector Entry, Exit, PerU, Scalar;
+  hn::Vec<hn::Rebind<std::int32_t, ExactFloat>> Pixel;
+
+  HWY_INLINE void Append(hn::Mask<ExactFloat> covered, TileFragments& out) const
+  {
+    out.Count = AppendFragments(covered, this->Entry, this->Exit, hn::MulAdd(this->PerU, this->Entry, this->Scalar),
+      hn::MulAdd(this->PerU, this->Exit, this->Scalar), this->Pixel, out.Count, out);
+  }
+};
+
+/// In parts over which the weight falls to a share of no less than LeastShare.
+HWY_NOINLINE inline void AppendParts(
+  const TileView& view, hn::Mask<ExactFloat> covered, const ExactRays& rays, TileFragments& out)
 {
   const ExactFloat d;
-  const auto perU = hn::Set(d, cell.ScalarC);
-  const auto scalar = hn::MulAdd(
-    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
-  const auto pixels = Ramp(hn::Rebind<std::int32_t, ExactFloat>(), pixel);
   const auto scale = hn::Set(d, view.WeightScale), offset = hn::Set(d, view.WeightOffset);
-  const auto last = hn::MulAdd(scale, exit, offset);
+  const auto last = hn::MulAdd(scale, rays.Exit, offset);
   // What is before that many parts is nothing beside them.
   const auto most = hn::Mul(last, hn::Set(d, TileExactCell::MostWeight));
+  ExactRays part = rays;
   if (view.WeightScale > 0.0)
   {
-    entry = hn::Min(entry, hn::Sub(most, offset));
+    part.Entry = hn::Min(part.Entry, hn::Sub(most, offset));
   }
   while (!hn::AllFalse(d, covered))
   {
-    const auto least = hn::Mul(hn::MulAdd(scale, entry, offset), hn::Set(d, TileExactCell::LeastShare));
+    const auto least = hn::Mul(hn::MulAdd(scale, part.Entry, offset), hn::Set(d, TileExactCell::LeastShare));
     const auto isLast = hn::Ge(last, least);
-    const auto end = hn::IfThenElse(isLast, exit, hn::Sub(least, offset));
-    out.Count = AppendFragments(covered, entry, end, hn::MulAdd(perU, entry, scalar),
-      hn::MulAdd(perU, end, scalar), pixels, out.Count, out);
+    part.Exit = hn::IfThenElse(isLast, rays.Exit, hn::Sub(least, offset));
+    part.Append(covered, out);
     covered = hn::AndNot(isLast, covered);
-    entry = end;
+    part.Entry = part.Exit;
   }
+}
+
+/// The same of a tetrahedron: beside a great weight a float does not keep the digits of a small one, so rays along which
+/// it falls far are cut.
+HWY_INLINE void AppendExact(const TileExactCell& cell, const TileView& view, hn::Mask<ExactFloat> covered,
+  ExactVector x, double y, ExactVector entry, ExactVector exit, int pixel, TileFragments& out)
+{
+  const ExactFloat d;
+  const auto scalar = hn::MulAdd(
+    hn::Set(d, cell.ScalarA), x, hn::Set(d, cell.ScalarB * y + cell.ScalarE));
+  const ExactRays rays{ entry, exit, hn::Set(d, cell.ScalarC), scalar,
+    Ramp(hn::Rebind<std::int32_t, ExactFloat>(), pixel) };
+  const auto scale = hn::Set(d, view.WeightScale), offset = hn::Set(d, view.WeightOffset);
+  const auto least = hn::Mul(hn::MulAdd(scale, entry, offset), hn::Set(d, TileExactCell::LeastShare));
+  const auto isCut = hn::And(covered, hn::Lt(hn::MulAdd(scale, exit, offset), least));
+  if (HWY_LIKELY(hn::AllFalse(d, isCut)))
+  {
+    rays.Append(covered, out);
+    return;
+  }
+  AppendParts(view, covered, rays, out);
 }
 
 /// Where in rows of pixels a cell may be, of a vector of rows at a time; first > last where it is not.
@@ -196,7 +226,7 @@ void CoverExactCell(
     for (int y = first; y <= std::min(first + lanes - 1, lastY); ++y)
     {
       CoverExactRow(task, tile, cell, rows, y, bounds.First[y - first], bounds.Last[y - first], out);
-      if (out.Count > TileFragments::Capacity - 64 - TileSize::Pixels * TileExactCell::MostParts)
+      if (HWY_UNLIKELY(out.Count > TileFragments::Capacity - 64 - TileSize::Pixels * TileExactCell::MostParts))
       {
         flush();
         out.BeginCell(id);
