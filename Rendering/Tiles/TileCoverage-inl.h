@@ -35,7 +35,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 /// Faces with the entries first, for each of the 16 sets of entry faces.
 struct FaceLists
 {
-  FaceLists()
+  constexpr FaceLists()
   {
     for (int set = 0; set < 16; ++set)
     {
@@ -53,9 +53,10 @@ struct FaceLists
       }
     }
   }
-  int Faces[16][4];
+  int Faces[16][4] = {};
   int Entries[16] = {};
 };
+inline constexpr FaceLists TheFaceLists{};
 
 /// The pixel of the tile's where the box of a cell begins.
 HWY_INLINE int CornerPixel(const TileGroup& g, int k)
@@ -230,7 +231,7 @@ struct CoverRun
 /// The rest of the fragments of a run.
 inline void CompleteRun(const TileGroup& group, const CoverRun& run, TileFragments& out)
 {
-  static const FaceLists lists;
+  const FaceLists& lists = TheFaceLists;
   for (int k = run.First; k < run.End; ++k)
   {
     const int begin = run.Begin[k], end = run.Begin[k + 1];

@@ -267,7 +267,7 @@ inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lan
   const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
   hn::Store(hn::IfThenElse(exact, hn::Set(di, 1), hn::Load(di, group.Exact + lane)), di, group.Exact + lane);
   CutTransparent(task, c, lane, group);
-  task.Transfer->HasTransparent ? FindSpans<8>(group, lane) : FindSpans<4>(group, lane);
+  task.Transfer->HasTransparent ? FindSpans<7>(group, lane) : FindSpans<3>(group, lane);
 }
 
 inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const SetupBounds& bounds,

@@ -75,7 +75,7 @@ HWY_INLINE SpanLine PickOrSide(SpanMask takes, const SpanLine& line)
 struct SpanEdge
 {
   SpanLine FromLeft, FromRight;
-  SpanMask IsLeft, IsRight;
+  SpanMask IsEdge, IsLeft, IsRight;
 
   /// `isEdge`: where one of the planes is an entry and the other an exit; `entersFirst`: where the first is the entry.
   HWY_INLINE SpanEdge(
@@ -92,6 +92,7 @@ struct SpanEdge
     this->FromLeft.Slope = hn::Neg(this->FromRight.Slope);
     this->FromLeft.Offset = hn::Neg(hn::Mul(p, inverse));
     const auto beginsAt = hn::Xor(hn::Lt(size, hn::Zero(d)), entersFirst);
+    this->IsEdge = isEdge;
     this->IsLeft = hn::And(isEdge, beginsAt);
     this->IsRight = hn::AndNot(beginsAt, isEdge);
   }
@@ -102,19 +103,32 @@ template <int Lines>
 struct SpanOutline
 {
   SpanLine Left[Lines], Right[Lines];
+  /// Of four sides: a second edge of a couple on one side; which couples have none.
+  SpanLine SpareLeft, SpareRight;
+  SpanMask HasNone[3];
   /// The width of the box, and what lets rows below it end before they begin.
   SpanVector End;
   SpanLine Below;
 
   /// The place of two edges that have no corner in common. Three sides have one of every couple, four have two of two
-  /// couples, of which three at most are on one side: of a second on one side there is one at most, it goes to `spare`.
-  HWY_INLINE void TakeCouple(const SpanEdge& one, const SpanEdge& other, int at, int spare)
+  /// couples, of which three at most are on one side: of a second on one side there is one at most, it goes to the place
+  /// of the couple that has none.
+  HWY_INLINE void TakeCouple(const SpanEdge& one, const SpanEdge& other, int at)
   {
     this->Left[at] = Pick(one.IsLeft, one.FromLeft, PickOrSide(other.IsLeft, other.FromLeft));
     this->Right[at] = Pick(one.IsRight, one.FromRight, PickOrSide(other.IsRight, other.FromRight));
     const auto areLeft = hn::And(one.IsLeft, other.IsLeft), areRight = hn::And(one.IsRight, other.IsRight);
-    this->Left[spare] = Pick(areLeft, other.FromLeft, this->Left[spare]);
-    this->Right[spare] = Pick(areRight, other.FromRight, this->Right[spare]);
+    this->SpareLeft = Pick(areLeft, other.FromLeft, this->SpareLeft);
+    this->SpareRight = Pick(areRight, other.FromRight, this->SpareRight);
+    this->HasNone[at] = hn::Not(hn::Or(one.IsEdge, other.IsEdge));
+  }
+  HWY_INLINE void TakeSpare()
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      this->Left[i] = Pick(this->HasNone[i], this->SpareLeft, this->Left[i]);
+      this->Right[i] = Pick(this->HasNone[i], this->SpareRight, this->Right[i]);
+    }
   }
   HWY_INLINE void Take(const SpanEdge& edge, int at)
   {
@@ -145,7 +159,7 @@ HWY_INLINE SpanMask EntersThrough(const TileGroup& group, int face, int lane)
   return hn::RebindMask(SpanFloat(), hn::Eq(hn::And(entries, bit), bit));
 }
 
-/// Between faces, then, of more than four lines, between faces and cuts.
+/// Between faces, then, of more than three lines, between faces and cuts.
 template <int Lines>
 HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines>& outline)
 {
@@ -156,17 +170,18 @@ HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines
   const auto lastRow = hn::ConvertTo(d, hn::Sub(hn::Load(di, group.Height + lane), hn::Set(di, 1)));
   outline.Below.Slope = hn::Set(d, 2.0f * TileSize::Pixels);
   outline.Below.Offset = hn::Neg(hn::Mul(outline.Below.Slope, lastRow));
-  outline.Left[3] = outline.Right[3] = { hn::Zero(d), hn::Zero(d) };
+  outline.SpareLeft = outline.SpareRight = { hn::Zero(d), hn::Zero(d) };
   auto edge = [&](int i, int j)
   {
     const auto enters = EntersThrough(group, i, lane);
     return SpanEdge(SpanPlane(group, i, lane), SpanPlane(group, j, lane),
       hn::Xor(enters, EntersThrough(group, j, lane)), enters, last);
   };
-  outline.TakeCouple(edge(0, 1), edge(2, 3), 0, 3);
-  outline.TakeCouple(edge(0, 2), edge(1, 3), 1, 3);
-  outline.TakeCouple(edge(0, 3), edge(1, 2), 2, 3);
-  if constexpr (Lines > 4)
+  outline.TakeCouple(edge(0, 1), edge(2, 3), 0);
+  outline.TakeCouple(edge(0, 2), edge(1, 3), 1);
+  outline.TakeCouple(edge(0, 3), edge(1, 2), 2);
+  outline.TakeSpare();
+  if constexpr (Lines > 3)
   {
     const auto isCut = hn::RebindMask(d, hn::Ne(hn::Load(di, group.Cut + lane), hn::Zero(di)));
     const SpanPlane cutEntry(group, TileGroup::CutEntry, lane), cutExit(group, TileGroup::CutExit, lane);
@@ -174,7 +189,7 @@ HWY_INLINE void BuildOutline(const TileGroup& group, int lane, SpanOutline<Lines
     {
       const auto enters = EntersThrough(group, i, lane);
       const SpanPlane cut(enters, cutExit, cutEntry);
-      outline.Take(SpanEdge(SpanPlane(group, i, lane), cut, isCut, enters, last), 4 + i);
+      outline.Take(SpanEdge(SpanPlane(group, i, lane), cut, isCut, enters, last), 3 + i);
     }
   }
 }
@@ -207,7 +222,8 @@ HWY_INLINE void FindSpans(TileGroup& group, int lane)
   auto corner = hn::Add(hn::Sub(hn::Load(di, group.Left + lane), hn::Set(di, AboveWhole)),
     hn::ShiftLeft<TileSize::Shift>(hn::Load(di, group.Bottom + lane)));
   // To the end of the last step of rows.
-  for (int row = 0; row < rows + TileGroup::RowStep - 1; ++row)
+  const int end = (rows + TileGroup::RowStep - 1) / TileGroup::RowStep * TileGroup::RowStep;
+  for (int row = 0; row < end; ++row)
   {
     SpanVector first, count;
     outline.FindSpan(hn::Set(d, static_cast<float>(row)), first, count);
