@@ -96,15 +96,18 @@ public:
   /// Fills the colours.
   TileShadeCount Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
-    return ShadeInPasses(
-      fragments.Count, remainders, [&](TileRemainders& rest) { this->ShadeFirstPieces(fragments, rest); },
+    int waiting = 0;
+    TileShadeCount sum = ShadeInPasses(
+      fragments.Count, remainders,
+      [&](TileRemainders& rest) { waiting = this->ShadeFirstPieces(fragments, rest); },
       [&](int, const TileRemainders& now, TileRemainders& next)
       { this->ShadeRemainders(fragments, now, next); });
+    // They were counted with all others.
+    sum.Pieces -= waiting;
+    return sum;
   }
 
 private:
-  static constexpr int Batch = 8;
-
   /// The share of a piece after which its optical depth reaches 1.
   HWY_INLINE ShadeVector ShareOfDepthOne(
     ShadeVector front, ShadeVector back, ShadeVector length) const
@@ -217,91 +220,117 @@ private:
     course.Last = ends.Last(q.ScalarOut + at);
   }
 
-  /// Vectors that are not thin and wait to be shaded together.
-  struct Others
+  /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how many fragments wait
+  /// as a whole.
+  int ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
-    int Count = 0;
-    int At[Batch];
-    ShadeCourse Courses[Batch];
-  };
-
-  /// Vectors of thin fragments in one piece are coloured at once, the others by parts.
-  void ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
-  {
-    const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     q.FillLastVector();
-    ThinPiece thin(this->Transfer);
-    Others others;
-    ShadeCourse next;
-    this->FindCourse(q, 0, next);
-    const int last = std::max(q.Count - 1, 0) / lanes * lanes;
-    // Where few are thin, the next ones are not tried.
-    int tries = 2 * Batch;
-    for (int at = 0; at < q.Count; at += lanes)
+    ThinBatch batch;
+    ThinLine line{ this->Transfer.Lines.data() };
+    bool tries = true;
+    int waiting = 0;
+    for (int at = 0; at < q.Count; at += ThinBatch::Size * lanes)
     {
-      // One vector ahead: its division and root take long.
-      const ShadeCourse course = next;
-      this->FindCourse(q, std::min(at + lanes, last), next);
-      if (tries > 0 && ColorThin(course, thin, at, q))
+      batch.Count = std::min(ThinBatch::Size, (q.Count - at + lanes - 1) / lanes);
+      for (int i = 0; i < batch.Count; ++i)
       {
-        tries = std::min(tries + 1, 2 * Batch);
-        continue;
+        this->FindCourse(q, at + i * lanes, batch.Courses[i]);
       }
-      --tries;
-      this->ShadeLater(course, at, others, q, rest);
+      // Where few are thin, the next ones are not tried.
+      tries = tries && batch.FindDepths(this->Values, this->Transfer, line);
+      if (tries)
+      {
+        waiting += this->ColorThinOnes(batch, at, q, rest);
+      }
+      else
+      {
+        this->ShadeByParts(batch, at, q, rest);
+      }
     }
-    this->ShadeByParts(others, q, rest);
+    return waiting;
   }
 
-  HWY_INLINE void ShadeLater(
-    const ShadeCourse& course, int at, Others& others, TileFragments& q, TileRemainders& rest) const
+  /// Of a batch from `at` on; returns how many fragments wait.
+  HWY_INLINE int ColorThinOnes(const ThinBatch& batch, int at, TileFragments& q, TileRemainders& rest) const
   {
-    others.At[others.Count] = at;
-    others.Courses[others.Count] = course;
-    if (++others.Count == Batch)
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
+    // All of them: those that are mixed come over it.
+    for (int i = 0; i < batch.Count; ++i)
     {
-      this->ShadeByParts(others, q, rest);
+      ShadeVector color[4];
+      ColorThin(batch.Lines[i], batch.Courses[i], batch.Depths[i], color);
+      StoreColors(color, at + i * lanes, q);
     }
+    int waiting = 0;
+    for (unsigned int mixed = batch.Mixed; mixed != 0; mixed &= mixed - 1)
+    {
+      const int i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(mixed));
+      waiting += this->ColorMixed(batch.Courses[i], at + i * lanes, q, rest);
+    }
+    return waiting;
   }
 
-  /// Colours a vector if it is thin and in one piece.
-  static HWY_INLINE bool ColorThin(
-    const ShadeCourse& course, ThinPiece& thin, int at, TileFragments& q)
-  {
-    ShadeVector color[4];
-    if (!thin.Color(course, color) &&
-      !(thin.TakePieceOf(hn::GetLane(course.First)) && thin.Color(course, color)))
-    {
-      return false;
-    }
-    StoreColors(color, at, q);
-    return true;
-  }
-
-  /// Shades the first parts of what waits, step after step.
-  HWY_NOINLINE void ShadeByParts(Others& others, TileFragments& q, TileRemainders& rest) const
+  /// Of fragments in several pieces; those that ThinParts leaves wait, each alone. Returns how many.
+  HWY_NOINLINE int ColorMixed(
+    const ShadeCourse& course, int at, TileFragments& q, TileRemainders& rest) const
   {
     const ShadeFloat d;
-    ShadePieces work[Batch];
-    for (int i = 0; i < others.Count; ++i)
+    const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
+    const ThinParts<LookUp> parts(this->Values, this->Transfer);
+    ShadeVector color[4];
+    const auto fits = parts.Color(course, used, color);
+    const auto open = hn::AndNot(fits, used);
+    const int count = static_cast<int>(hn::CountTrue(d, open));
+    if (count > 0)
     {
-      const int at = others.At[i];
-      ShadePieces& p = work[i];
-      p.First = others.Courses[i].First;
-      p.Last = others.Courses[i].Last;
-      p.Length = others.Courses[i].Length;
-      p.Through = hn::Set(d, 1.0f);
-      p.Piece = PieceOf(this->Values, this->Transfer, p.First);
-      p.Fragment = Ramp(ShadeInt(), at);
-      this->CutFirstPart(hn::FirstN(d, static_cast<std::size_t>(q.Count - at)), p);
+      for (auto& component : color)
+      {
+        component = hn::IfThenElseZero(fits, component);
+      }
+      this->Leave(course, open, at, rest);
     }
-    for (int i = 0; i < others.Count; ++i)
+    StoreColors(color, at, q);
+    return count;
+  }
+
+  HWY_INLINE void Leave(
+    const ShadeCourse& course, ShadeMask which, int at, TileRemainders& rest) const
+  {
+    ShadePieces p;
+    this->Begin(course, at, p);
+    this->Append(which, p, rest);
+  }
+
+  /// The whole fragments from `at` on.
+  HWY_INLINE void Begin(const ShadeCourse& course, int at, ShadePieces& p) const
+  {
+    p.First = course.First;
+    p.Last = course.Last;
+    p.Length = course.Length;
+    p.Through = hn::Set(ShadeFloat(), 1.0f);
+    p.Piece = PieceOf(this->Values, this->Transfer, p.First);
+    p.Fragment = Ramp(ShadeInt(), at);
+  }
+
+  /// Shades the first parts of a batch from `begin` on, step after step.
+  HWY_NOINLINE void ShadeByParts(
+    const ThinBatch& batch, int begin, TileFragments& q, TileRemainders& rest) const
+  {
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
+    ShadePieces work[ThinBatch::Size];
+    for (int i = 0; i < batch.Count; ++i)
+    {
+      const int at = begin + i * lanes;
+      this->Begin(batch.Courses[i], at, work[i]);
+      this->CutFirstPart(hn::FirstN(ShadeFloat(), static_cast<std::size_t>(q.Count - at)), work[i]);
+    }
+    for (int i = 0; i < batch.Count; ++i)
     {
       ShadeVector color[4];
       this->ColorPart(work[i], rest, color);
-      StoreColors(color, others.At[i], q);
+      StoreColors(color, begin + i * lanes, q);
     }
-    others.Count = 0;
   }
 
   HWY_INLINE void CutFirstPart(ShadeMask used, ShadePieces& p) const

@@ -46,6 +46,7 @@ void TileTransfer::Build(const TransferFunction& function, double longest)
     ++this->SearchSteps;
   }
   this->FindSeen();
+  this->FillLines();
 }
 
 //------------------------------------------------------------------------------
@@ -126,5 +127,24 @@ void TileTransfer::FindSeen()
   {
     to = isSeen(piece) ? this->Bounds[piece + 1] : to;
     this->SeenTo[piece] = isSeen(piece) ? Everything : to;
+  }
+}
+
+//------------------------------------------------------------------------------
+void TileTransfer::FillLines()
+{
+  this->Lines.assign(this->Bounds.size(), Line{});
+  for (int piece = 0; piece < this->NumberOfPieces; ++piece)
+  {
+    Line& line = this->Lines[piece];
+    line.Low = this->Bounds[piece];
+    line.High = this->Bounds[piece + 1];
+    line.HalfSlope = 0.5f * this->Slopes[3][piece];
+    line.Offset = this->Offsets[3][piece];
+    for (int k = 0; k < 3; ++k)
+    {
+      line.ColorSlopes[k] = this->Slopes[k][piece];
+      line.ColorOffsets[k] = this->Offsets[k][piece];
+    }
   }
 }

@@ -27,6 +27,13 @@ public:
   std::vector<float> Bounds;
   std::vector<float> Slopes[4];
   std::vector<float> Offsets[4];
+  /** The same of a piece side by side, of extinction half the slope. */
+  struct Line
+  {
+    float Low, High, HalfSlope, Offset;
+    float ColorSlopes[3], ColorOffsets[3];
+  };
+  std::vector<Line> Lines;
   /** Nothing is seen from a scalar of piece i up to SeenFrom[i], and down to SeenTo[i]; where the
    *  piece itself is seen -1e30 and 1e30. */
   std::vector<float> SeenFrom, SeenTo;
@@ -47,6 +54,7 @@ private:
   void Append(const Node& first, const Node& last);
   bool Continues(const Node& first, const Node& last) const;
   void FindSeen();
+  void FillLines();
 
   // The line of the last piece.
   Node LastStart;
