@@ -51,7 +51,8 @@ function(cellprojection_add_kernels name)
   target_compile_definitions(${name} PRIVATE
     "HWY_DISABLED_TARGETS=(HWY_SSSE3|HWY_SSE4|HWY_AVX3|HWY_AVX3_DL)")
   target_compile_options(${name} PRIVATE
-    -O1 -g1 -fno-omit-frame-pointer -fno-delete-null-pointer-checks "-fsanitize=${CELLPROJECTION_SANITIZE}" -fno-sanitize-recover=all)
+    -O1 -g1 -fno-omit-frame-pointer -fno-delete-null-pointer-checks
+    "-fsanitize=${CELLPROJECTION_SANITIZE}" -fno-sanitize-recover=all)
   target_link_options(${name} PRIVATE "-fsanitize=${CELLPROJECTION_SANITIZE}")
   target_link_libraries(${name} PRIVATE ${VTK_LIBRARIES} hwy::hwy glm::glm)
   vtk_module_autoinit(TARGETS ${name} MODULES ${VTK_LIBRARIES})

@@ -36,10 +36,10 @@ public:
   std::array<Plane, 4> Planes;
   /** scalar * weight = A x + B y + C u + E. */
   double ScalarA = 0.0, ScalarB = 0.0, ScalarC = 0.0, ScalarE = 0.0;
-  /** What is drawn is cut into parts over which a ray's weight (class TileView) falls to no lesser share; at most
-   * so many, from no greater multiple of the last weight on. */
-  static constexpr double LeastShare = 0.125, MostWeight = 35184372088832.0;
-  static constexpr int MostParts = 16;
+  /** What is drawn is cut into parts over which a ray's weight (class TileView) falls to no lesser share, or rounding
+   * would prove them out of order; at most so many, from no greater multiple of the last weight on. */
+  static constexpr double LeastShare = 0.25, MostWeight = 17592186044416.0;
+  static constexpr int MostParts = 24;
   /** First and last pixel column, first and last row; empty where last < first. */
   std::array<int, 4> Box{ { 0, 0, -1, -1 } };
   /** Whether all of it lies between the near and the far plane. */

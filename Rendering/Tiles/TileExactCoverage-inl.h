@@ -32,31 +32,29 @@ namespace hn = hwy::HWY_NAMESPACE;
 using ExactFloat = hn::CappedTag<double, 8>;
 using ExactVector = hn::Vec<ExactFloat>;
 
-/// Entry and exit of pixels in a row in double, and the mask of those that are covered.
-inline hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const TileView& view,
-  ExactVector x, double y, ExactVector& entry, ExactVector& exit)
+/// What planes seen edge-on leave of rays: those within a plane's tolerance count as moved off it.
+inline void CutByEdgeOn(
+  const TileExactCell& cell, ExactVector x, double y, ExactVector& entry, ExactVector& exit)
 {
   const ExactFloat d;
-  entry = hn::Set(d, view.NearU);
-  exit = hn::Set(d, view.FarU);
   for (const TileExactCell::Plane& plane : cell.Planes)
   {
-    auto value = hn::MulAdd(hn::Set(d, plane.A), x, hn::Set(d, plane.B * y + plane.E));
-    if (HWY_UNLIKELY(plane.Tolerance > 0.0))
+    if (plane.Tolerance <= 0.0)
     {
-      const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
-      value = hn::IfThenElse(within, hn::Set(d, plane.Nudge), value);
+      continue;
     }
-    value = hn::Mul(value, hn::Set(d, plane.Inverse));
-    entry = plane.IsEntry ? hn::Min(entry, value) : entry;
-    exit = plane.IsEntry ? exit : hn::Max(exit, value);
+    const auto value = hn::MulAdd(hn::Set(d, plane.A), x, hn::Set(d, plane.B * y + plane.E));
+    const auto within = hn::Le(hn::Abs(value), hn::Set(d, plane.Tolerance));
+    const auto u =
+      hn::Mul(hn::IfThenElse(within, hn::Set(d, plane.Nudge), value), hn::Set(d, plane.Inverse));
+    entry = plane.IsEntry ? hn::Min(entry, u) : entry;
+    exit = plane.IsEntry ? exit : hn::Max(exit, u);
   }
-  return hn::Lt(exit, entry);
 }
 
-/// The same of a cell of which no plane is seen edge-on.
-HWY_INLINE hn::Mask<ExactFloat> CoverExactLines(
-  const TileExactRows& rows, ExactVector x, double y, ExactVector& entry, ExactVector& exit)
+/// Entry and exit of pixels in a row in double, and the mask of those that are covered.
+HWY_INLINE hn::Mask<ExactFloat> CoverExactLanes(const TileExactCell& cell, const TileExactRows& rows,
+  ExactVector x, double y, ExactVector& entry, ExactVector& exit)
 {
   const ExactFloat d;
   auto at = [&](const TileExactRows::Line& line)
@@ -70,6 +68,10 @@ HWY_INLINE hn::Mask<ExactFloat> CoverExactLines(
   for (int i = 1; i < rows.Exits.Count; ++i)
   {
     exit = hn::Max(exit, at(rows.Exits.Lines[i]));
+  }
+  if (HWY_UNLIKELY(rows.HasEdgeOn))
+  {
+    CutByEdgeOn(cell, x, y, entry, exit);
   }
   return hn::Lt(exit, entry);
 }
@@ -199,8 +201,7 @@ HWY_INLINE void CoverExactRow(const TileTask& task, const TileRectangle& tile, c
     ExactVector entry, exit;
     const auto inRow = hn::FirstN(d, static_cast<std::size_t>(end - left + 1));
     const auto covered =
-      hn::And(inRow, rows.HasEdgeOn ? CoverExactLanes(cell, *task.View, x, y, entry, exit)
-                                    : CoverExactLines(rows, x, y, entry, exit));
+      hn::And(inRow, CoverExactLanes(cell, rows, x, y, entry, exit));
     if (!hn::AllFalse(d, covered))
     {
       const int pixel = (y - tile.Bottom) * TileSize::Pixels + left - tile.Left;
@@ -209,7 +210,7 @@ HWY_INLINE void CoverExactRow(const TileTask& task, const TileRectangle& tile, c
   }
 }
 
-/// A cell in double: see class TileExactCell; `flush` empties the queue where parts fill it.
+/// A cell in double: see class TileExactCell; `flush` empties the queue where its rows fill it.
 template <class Flush>
 void CoverExactCell(
   const TileTask& task, const TileRectangle& tile, int id, TileFragments& out, const Flush& flush)

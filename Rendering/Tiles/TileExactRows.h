@@ -2,7 +2,8 @@
  * Where in a row of pixels a tetrahedron that is set up in double can be covered: most of the box of a long
  * thin one lies outside of it.
  *
- * Bounds alone, a 64th of a pixel and what rounding may do too wide; whether a pixel is covered the planes themselves say.
+ * Bounds are a 64th of a pixel and what rounding may do too wide; whether a pixel is covered the surfaces say, and the
+ * planes seen edge-on.
  */
 #ifndef TileExactRows_h
 #define TileExactRows_h

@@ -96,7 +96,7 @@ struct TileShadeCount
 };
 
 /** What is left to shade of fragments that a node of the transfer function, or an optical depth of
- * 1, cuts. */
+ * 1, cuts: a part or all. */
 struct TileRemainders
 {
   int Count = 0;

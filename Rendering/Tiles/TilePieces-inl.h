@@ -1,6 +1,6 @@
 /**
- * What every shading of fragments by pieces shares: the first piece of every fragment is shaded
- * straight through, what is left of those that are cut waits in a queue, pass after pass.
+ * What every shading of fragments by pieces shares: the first piece of a fragment is shaded
+ * straight through, or more; what is left of it, or all, waits in a queue, pass after pass.
  */
 #if defined(TilePieces_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TilePieces_inl_h

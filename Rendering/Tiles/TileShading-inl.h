@@ -3,9 +3,9 @@
  *
  * A fragment is cut where the transfer function bends and where the optical depth of a piece would
  * pass 1. In a piece extinction and colour are linear in the scalar, so alpha = 1 - exp(-depth) is
- * exact, and so is colour = alpha * (colour at the mean place of the absorbed light). The first
- * piece of every fragment is shaded straight through; what is left of those that are cut waits in a
- * second queue and is shaded the same way.
+ * exact, and so is colour = alpha * (colour at the mean place of the absorbed light). Fragments of
+ * one thin piece or two are shaded straight through, else the first piece is; what is left waits in
+ * a second queue and is shaded the same way.
  */
 #if defined(TileShading_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TileShading_inl_h
@@ -102,7 +102,7 @@ public:
       [&](TileRemainders& rest) { waiting = this->ShadeFirstPieces(fragments, rest); },
       [&](int, const TileRemainders& now, TileRemainders& next)
       { this->ShadeRemainders(fragments, now, next); });
-    // They were counted with all others.
+    // Counted with the fragments, and where they are shaded.
     sum.Pieces -= waiting;
     return sum;
   }
@@ -220,8 +220,8 @@ private:
     course.Last = ends.Last(q.ScalarOut + at);
   }
 
-  /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how many fragments wait
-  /// as a whole.
+  /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how many pieces less than
+  /// fragments this shades.
   int ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
@@ -251,7 +251,7 @@ private:
     return waiting;
   }
 
-  /// Of a batch from `at` on; returns how many fragments wait.
+  /// The same of a batch from `at` on.
   HWY_INLINE int ColorThinOnes(const ThinBatch& batch, int at, TileFragments& q, TileRemainders& rest) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
@@ -271,7 +271,8 @@ private:
     return waiting;
   }
 
-  /// Of fragments in several pieces; those that ThinParts leaves wait, each alone. Returns how many.
+  /// Of fragments in several pieces; those that ThinParts leaves wait, each alone: returns how many, less
+  /// those that are coloured as two.
   HWY_NOINLINE int ColorMixed(
     const ShadeCourse& course, int at, TileFragments& q, TileRemainders& rest) const
   {
@@ -279,7 +280,8 @@ private:
     const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
     const ThinParts<LookUp> parts(this->Values, this->Transfer);
     ShadeVector color[4];
-    const auto fits = parts.Color(course, used, color);
+    ShadeMask isCut;
+    const auto fits = parts.Color(course, used, color, isCut);
     const auto open = hn::AndNot(fits, used);
     const int count = static_cast<int>(hn::CountTrue(d, open));
     if (count > 0)
@@ -291,7 +293,7 @@ private:
       this->Leave(course, open, at, rest);
     }
     StoreColors(color, at, q);
-    return count;
+    return count - static_cast<int>(hn::CountTrue(d, hn::And(fits, isCut)));
   }
 
   HWY_INLINE void Leave(

@@ -113,12 +113,14 @@ public:
   {
   }
 
-  /// Returns which fragments have thin parts, two at most.
-  HWY_INLINE ShadeMask Color(const ShadeCourse& course, ShadeMask used, ShadeVector (&color)[4]) const
+  /// Returns which fragments have thin parts, two at most; `isCut`: which are cut.
+  HWY_INLINE ShadeMask Color(
+    const ShadeCourse& course, ShadeMask used, ShadeVector (&color)[4], ShadeMask& isCut) const
   {
     const auto piece = PieceOf(this->Values, this->Transfer, course.First);
     const NodeCut node =
       FindNode(this->Values, this->Transfer, piece, course.First, course.Last, used);
+    isCut = node.IsCut;
     if (!node.IsAny)
     {
       return this->ColorPart(piece, course, color);

@@ -112,8 +112,7 @@ private:
 };
 
 // Adds what a row has that is covered, and lies outside of the bounds.
-void CheckRow(const TileExactCell& cell, const TileExactRows& rows, const TileView& view, int y, int first, int last,
-  TileRowErrors& errors)
+void CheckRow(const TileExactCell& cell, const TileExactRows& rows, int y, int first, int last, TileRowErrors& errors)
 {
   const ExactFloat d;
   const int lanes = static_cast<int>(hn::Lanes(d));
@@ -122,11 +121,7 @@ void CheckRow(const TileExactCell& cell, const TileExactRows& rows, const TileVi
     ExactVector entry, exit;
     const auto x = Ramp(d, static_cast<double>(left));
     const auto inBox = hn::FirstN(d, static_cast<std::size_t>(cell.Box[2] - left + 1));
-    auto covered = hn::And(inBox, CoverExactLanes(cell, view, x, y, entry, exit));
-    if (!rows.HasEdgeOn)
-    {
-      covered = hn::Or(covered, hn::And(inBox, CoverExactLines(rows, x, y, entry, exit)));
-    }
+    const auto covered = hn::And(inBox, CoverExactLanes(cell, rows, x, y, entry, exit));
     const auto isWithin = hn::And(
       hn::Ge(x, hn::Set(d, static_cast<double>(first))), hn::Le(x, hn::Set(d, static_cast<double>(last))));
     errors.Covered += static_cast<long long>(hn::CountTrue(d, covered));
@@ -154,7 +149,7 @@ void CheckRows(const TileMesh& mesh, const TileView& view, TileRowErrors& errors
       errors.Outside += width > 0 && (first < cell.Box[0] || last > cell.Box[2]) ? 1 : 0;
       ++errors.Rows;
       const long long covered = errors.Covered;
-      CheckRow(cell, rows, view, y, first, last, errors);
+      CheckRow(cell, rows, y, first, last, errors);
       const long long spare = std::max(last - first + 1, 0) - (errors.Covered - covered);
       errors.Bounded += isBounded ? 1 : 0;
       errors.Spare = std::max(errors.Spare, isBounded ? spare : 0);

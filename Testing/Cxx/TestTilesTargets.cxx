@@ -32,8 +32,20 @@ void CheckError(TestChecks& checks, TilesScene& scene, const std::string& name)
   CHECK_AT_MOST(error, 1e-4);
 }
 
+// Fragments that a node cuts count as two pieces, whatever else is in their vector.
+void CheckPieces(TestChecks& checks, TilesScene& scene, double& piecesOfFirst)
+{
+  scene.SetSmooth();
+  CHECK(scene.DrawTiles());
+  const double pieces = static_cast<double>(scene.Engine.GetCounts().Pieces);
+  piecesOfFirst = piecesOfFirst > 0.0 ? piecesOfFirst : pieces;
+  CHECK(pieces > 1.05 * static_cast<double>(scene.Engine.GetCounts().Fragments));
+  CHECK_NEAR(pieces, piecesOfFirst, 1e-3 * piecesOfFirst);
+}
+
 void CheckTargets(TestChecks& checks, TilesScene& scene)
 {
+  double pieces = 0.0;
   for (const int64_t target : hwy::SupportedAndGeneratedTargets())
   {
     hwy::GetChosenTarget().Update(target);
@@ -43,6 +55,7 @@ void CheckTargets(TestChecks& checks, TilesScene& scene)
     SetManyPoints(scene);
     CheckError(checks, scene, name + ", 41 points");
     CHECK(scene.Engine.GetCounts().Pieces > scene.Engine.GetCounts().Fragments);
+    CheckPieces(checks, scene, pieces);
   }
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }

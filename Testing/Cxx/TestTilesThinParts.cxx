@@ -67,7 +67,7 @@ TileTransfer HatOfFourPieces()
 
 struct ThinPartsVector
 {
-  HWY_ALIGN float First[16], Last[16], Length[16], Color[4][16], Fits[16];
+  HWY_ALIGN float First[16], Last[16], Length[16], Color[4][16], Fits[16], IsCut[16];
 };
 
 // Fragments from the number `begin` on.
@@ -89,8 +89,10 @@ void Shade(const LookUp& values, const TileTransfer& transfer, ThinPartsVector& 
   const ShadeCourse course{ hn::Load(d, v.First), hn::Load(d, v.Last), hn::Load(d, v.Length) };
   const ThinParts<LookUp> parts(values, transfer);
   ShadeVector color[4];
-  const auto fits = parts.Color(course, hn::FirstN(d, hn::Lanes(d)), color);
+  ShadeMask isCut;
+  const auto fits = parts.Color(course, hn::FirstN(d, hn::Lanes(d)), color, isCut);
   hn::Store(hn::IfThenElseZero(fits, hn::Set(d, 1.0f)), d, v.Fits);
+  hn::Store(hn::IfThenElseZero(isCut, hn::Set(d, 1.0f)), d, v.IsCut);
   for (int i = 0; i < 4; ++i)
   {
     hn::Store(color[i], d, v.Color[i]);
@@ -105,6 +107,7 @@ void Compare(const TileTransfer& transfer, const ThinPartsVector& v, ThinPartsEr
     const bool shouldFit = ray.Parts <= 2 && ray.Deepest < DeepestThin, fits = v.Fits[k] != 0.0f;
     const bool isClose = std::abs(ray.Deepest - DeepestThin) < 1e-3;
     errors.Misjudged += !isClose && shouldFit != fits ? 1 : 0;
+    errors.Misjudged += fits && (ray.Parts == 2) != (v.IsCut[k] != 0.0f) ? 1 : 0;
     errors.Fitting += fits ? 1 : 0;
     for (int i = 0; i < 4 && fits; ++i)
     {
