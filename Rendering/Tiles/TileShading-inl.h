@@ -96,14 +96,14 @@ public:
   /// Fills the colours.
   TileShadeCount Shade(TileFragments& fragments, TileRemainders (&remainders)[2]) const
   {
-    int waiting = 0;
+    TileShadeCount more;
     TileShadeCount sum = ShadeInPasses(
       fragments.Count, remainders,
-      [&](TileRemainders& rest) { waiting = this->ShadeFirstPieces(fragments, rest); },
+      [&](TileRemainders& rest) { more = this->ShadeFirstPieces(fragments, rest); },
       [&](int, const TileRemainders& now, TileRemainders& next)
       { this->ShadeRemainders(fragments, now, next); });
-    // Counted with the fragments, and where they are shaded.
-    sum.Pieces -= waiting;
+    sum.Pieces += more.Pieces;
+    sum.Lanes += more.Lanes;
     return sum;
   }
 
@@ -220,16 +220,16 @@ private:
     course.Last = ends.Last(q.ScalarOut + at);
   }
 
-  /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how many pieces less than
-  /// fragments this shades.
-  int ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
+  /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how much more
+  /// this shades than a piece of each fragment.
+  TileShadeCount ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     q.FillLastVector();
     ThinBatch batch;
     ThinLine line{ this->Transfer.Lines.data() };
     bool tries = true;
-    int waiting = 0;
+    TileShadeCount more;
     for (int at = 0; at < q.Count; at += ThinBatch::Size * lanes)
     {
       batch.Count = std::min(ThinBatch::Size, (q.Count - at + lanes - 1) / lanes);
@@ -241,18 +241,19 @@ private:
       tries = tries && batch.FindDepths(this->Values, this->Transfer, line);
       if (tries)
       {
-        waiting += this->ColorThinOnes(batch, at, q, rest);
+        this->ColorThinOnes(batch, at, q, rest, more);
       }
       else
       {
         this->ShadeByParts(batch, at, q, rest);
       }
     }
-    return waiting;
+    return more;
   }
 
   /// The same of a batch from `at` on.
-  HWY_INLINE int ColorThinOnes(const ThinBatch& batch, int at, TileFragments& q, TileRemainders& rest) const
+  HWY_INLINE void ColorThinOnes(
+    const ThinBatch& batch, int at, TileFragments& q, TileRemainders& rest, TileShadeCount& more) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     // All of them: those that are mixed come over it.
@@ -262,19 +263,16 @@ private:
       ColorThin(batch.Lines[i], batch.Courses[i], batch.Depths[i], color);
       StoreColors(color, at + i * lanes, q);
     }
-    int waiting = 0;
     for (unsigned int mixed = batch.Mixed; mixed != 0; mixed &= mixed - 1)
     {
       const int i = static_cast<int>(hwy::Num0BitsBelowLS1Bit_Nonzero32(mixed));
-      waiting += this->ColorMixed(batch.Courses[i], at + i * lanes, q, rest);
+      this->ColorMixed(batch.Courses[i], at + i * lanes, q, rest, more);
     }
-    return waiting;
   }
 
-  /// Of fragments in several pieces; those that ThinParts leaves wait, each alone: returns how many, less
-  /// those that are coloured as two.
-  HWY_NOINLINE int ColorMixed(
-    const ShadeCourse& course, int at, TileFragments& q, TileRemainders& rest) const
+  /// Of fragments in several pieces; those that ThinParts leaves wait, each alone.
+  HWY_NOINLINE void ColorMixed(
+    const ShadeCourse& course, int at, TileFragments& q, TileRemainders& rest, TileShadeCount& more) const
   {
     const ShadeFloat d;
     const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
@@ -293,7 +291,9 @@ private:
       this->Leave(course, open, at, rest);
     }
     StoreColors(color, at, q);
-    return count - static_cast<int>(hn::CountTrue(d, hn::And(fits, isCut)));
+    more.Pieces += static_cast<int>(hn::CountTrue(d, hn::And(fits, isCut))) - count;
+    // Coloured as thin, by look-ups and behind the node.
+    more.Lanes += static_cast<int>(hn::Lanes(d)) * (hn::AllFalse(d, isCut) ? 1 : 2);
   }
 
   HWY_INLINE void Leave(
