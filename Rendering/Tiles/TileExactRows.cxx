@@ -2,7 +2,6 @@
 
 #include "TileView.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace

@@ -76,8 +76,7 @@ struct TileCounts
   long long Pieces = 0;
   /** Of vectors that were shaded. */
   long long ShadedLanes = 0;
-  /** Of the blocks of pixels that coverage looked at, where stages are timed, and those that cells
-   *  covered. */
+  /** Of the vectors of pixels that coverage looked at, where stages are timed, and those in a cell. */
   long long LanesOfBlocks = 0;
   long long CoveredLanes = 0;
   long long RepairedPixels = 0;
