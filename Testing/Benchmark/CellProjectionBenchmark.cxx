@@ -1,5 +1,5 @@
 // Mappers: ours by both engines and VTK's projected tetrahedra on the same meshes, views and
-// transfer functions, frames interleaved, each one's error against the float64 oracle in the same
+// transfer functions, frames in turns, each one's error against the float64 oracle in the same
 // row. Scaling: the same and VTK's ray casters against cells, pixels and threads, with the stages of
 // Tiles, as CSV. Tiles: stages, sizes, pixels, threads, ray casters. Sorts: every visibility sort on the same
 // meshes and eyes. Cuts: what convexification costs and gives. Hexahedra: the mappers that draw
@@ -16,6 +16,7 @@
 #include "BenchmarkThreads.h"
 #include "CellsBenchmark.h"
 #include "ConvexificationBenchmark.h"
+#include "FramesInTurns.h"
 #include "HexahedraBenchmark.h"
 #include "InstructionSetsBenchmark.h"
 #include "IsoBenchmark.h"
@@ -61,27 +62,22 @@ std::vector<BenchmarkMapper> Contenders()
     BenchmarkMapper::ProjectedTetrahedra() };
 }
 
-// Interleaved, so that whatever else the machine does meets all.
 void MeasureSpeed(const std::vector<BenchmarkMapper>& contenders, vtkUnstructuredGrid* grid, bool spiky,
   int frames, std::vector<Row>& rows)
 {
   std::vector<std::unique_ptr<BenchmarkScene>> scenes;
+  FramesInTurns turns(frames);
   for (size_t i = 0; i < contenders.size(); ++i)
   {
-    scenes.push_back(contenders[i].Show(grid, ImageSize, spiky));
-    rows[i].First = scenes.back()->TimeFrame(0);
-    if (auto* ours = vtkConvexCellMapper::SafeDownCast(scenes.back()->Volume->GetMapper()))
+    BenchmarkScene* scene = scenes.emplace_back(contenders[i].Show(grid, ImageSize, spiky)).get();
+    turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, rows[i].Seconds);
+    rows[i].First = scene->TimeFrame(0);
+    if (auto* ours = vtkConvexCellMapper::SafeDownCast(scene->Volume->GetMapper()))
     {
       rows[i].Prepare = ours->GetLastStatistics()->GetValueByName(0, "SecondsPrepare").ToDouble();
     }
   }
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    for (size_t i = 0; i < contenders.size(); ++i)
-    {
-      rows[i].Seconds.push_back(scenes[i]->TimeFrame(frame));
-    }
-  }
+  turns.Draw();
 }
 
 void Print(const Row& row, double peer, vtkIdType cells)

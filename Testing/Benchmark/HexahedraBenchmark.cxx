@@ -1,5 +1,7 @@
 #include "HexahedraBenchmark.h"
 
+#include "FramesInTurns.h"
+
 #include "vtkCellProjectionOracle.h"
 #include "vtkConvexCellMapper.h"
 #include "vtkConvexCells.h"
@@ -152,20 +154,15 @@ std::unique_ptr<BenchmarkScene> HexahedraBenchmark::MakeScene(const Row& row, in
 //------------------------------------------------------------------------------
 void HexahedraBenchmark::MeasureSpeed(int frames)
 {
+  FramesInTurns turns(frames);
   for (Row& row : this->Rows)
   {
     row.Scene = this->MakeScene(row, ImageSize);
     row.First = row.Scene->TimeFrame(0);
     row.Prepare = Statistic(row.Mapper, "SecondsPrepare");
+    turns.Add([&row](int frame) { return row.Scene->TimeFrame(frame); }, row.Seconds);
   }
-  // Interleaved, so that whatever else the machine does meets all.
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    for (Row& row : this->Rows)
-    {
-      row.Seconds.push_back(row.Scene->TimeFrame(frame));
-    }
-  }
+  turns.Draw();
 }
 
 //------------------------------------------------------------------------------

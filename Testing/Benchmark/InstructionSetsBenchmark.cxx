@@ -3,6 +3,7 @@
 #include "BenchmarkError.h"
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
+#include "FramesInTurns.h"
 
 #include "vtkCellProjectionOracle.h"
 #include "vtkUnstructuredGrid.h"
@@ -31,10 +32,15 @@ public:
     this->Choose();
     this->Scene->TimeFrame(0);
   }
-  void TimeFrame(int frame)
+  void JoinTurns(FramesInTurns& turns)
   {
-    this->Choose();
-    this->Seconds.push_back(this->Scene->TimeFrame(frame));
+    turns.Add(
+      [this](int frame)
+      {
+        this->Choose();
+        return this->Scene->TimeFrame(frame);
+      },
+      this->Seconds);
   }
   double GetMedian() const { return Median(this->Seconds); }
   BenchmarkError MeasureError(vtkUnstructuredGrid* grid, vtkCellProjectionOracle* oracle) const
@@ -74,14 +80,12 @@ void InstructionSetsBenchmark::Run(const std::string& name, vtkUnstructuredGrid*
     name.c_str(), static_cast<long long>(grid->GetNumberOfCells()), ErrorSize, ErrorSize, "set", "mapper",
     "median ms", "VTK's / it", "error");
   std::vector<Row> rows = MakeRows(grid);
-  // In turns, so that whatever else the machine does meets all.
-  for (int frame = 1; frame <= frames; ++frame)
+  FramesInTurns turns(frames);
+  for (Row& row : rows)
   {
-    for (Row& row : rows)
-    {
-      row.TimeFrame(frame);
-    }
+    row.JoinTurns(turns);
   }
+  turns.Draw();
   vtkNew<vtkCellProjectionOracle> unlit, lit;
   for (const Row& row : rows)
   {

@@ -4,6 +4,7 @@
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
 #include "BenchmarkThreads.h"
+#include "FramesInTurns.h"
 #include "ScalingRow.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
@@ -150,22 +151,21 @@ bool Scaling::IsLeftOut(const ScalingRow& row, double growth) const
   return false;
 }
 
-// In turns, so that whatever else the machine does meets all.
+//------------------------------------------------------------------------------
 void Scaling::TimeFrames(std::vector<Run>& runs) const
 {
-  std::vector<double> spent(runs.size());
-  for (int frame = 1; frame <= this->Frames; ++frame)
+  FramesInTurns turns(this->Frames);
+  for (Run& run : runs)
   {
-    for (std::size_t i = 0; i < runs.size(); ++i)
-    {
-      if (spent[i] < this->With.SecondsPerRow)
+    turns.Add(
+      [&run](int frame)
       {
-        BenchmarkThreads::Set(runs[i].Row.Threads);
-        runs[i].Row.Frames.push_back(runs[i].Scene->TimeFrame(frame));
-        spent[i] += runs[i].Row.Frames.back();
-      }
-    }
+        BenchmarkThreads::Set(run.Row.Threads);
+        return run.Scene->TimeFrame(frame);
+      },
+      run.Row.Frames, this->With.SecondsPerRow);
   }
+  turns.Draw();
 }
 
 //------------------------------------------------------------------------------

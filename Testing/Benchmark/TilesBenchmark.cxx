@@ -3,6 +3,7 @@
 #include "BenchmarkMapper.h"
 #include "BenchmarkScene.h"
 #include "BenchmarkThreads.h"
+#include "FramesInTurns.h"
 #include "SortBenchmark.h"
 #include "SortMeshes.h"
 #include "ThreadHandOver.h"
@@ -17,14 +18,15 @@
 #include <algorithm>
 #include <cstdio>
 #include <functional>
+#include <iterator>
 #include <memory>
 
 namespace
 {
 constexpr int ImageSize = 512;
-// Of ZSweep, whose frames take seconds.
-constexpr int FewFrames = 3;
 constexpr int LatticeOfCasters = 30;
+// Of a number of threads.
+constexpr int Processes = 3;
 
 vtkSmartPointer<vtkUnstructuredGrid> MakeLattice(int cells)
 {
@@ -95,56 +97,100 @@ void CompareStages(const std::string& name, vtkUnstructuredGrid* grid, int frame
   }
 }
 
+struct Case
+{
+  vtkSmartPointer<vtkUnstructuredGrid> Grid;
+  int Size = ImageSize;
+};
+
+// Medians of the frames after the first.
+std::vector<double> TimeInTurns(const std::vector<Case>& cases, int frames)
+{
+  std::vector<std::unique_ptr<BenchmarkScene>> scenes;
+  std::vector<std::vector<double>> seconds(cases.size());
+  FramesInTurns turns(frames);
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    BenchmarkScene* scene =
+      scenes.emplace_back(BenchmarkMapper::Tiles().Show(cases[i].Grid, cases[i].Size, false)).get();
+    scene->TimeFrame(0);
+    turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, seconds[i]);
+  }
+  turns.Draw();
+  std::vector<double> medians;
+  std::transform(seconds.begin(), seconds.end(), std::back_inserter(medians), Median);
+  return medians;
+}
+
 void CompareSizes(int frames)
 {
-  std::printf("\nTiles, ten times the cells\n%12s %9s %12s\n", "tetrahedra", "median ms", "of the first");
-  double first = 0.0;
+  std::vector<Case> cases;
   for (const int cells : { 13, 28, 60 })
   {
-    const auto grid = MakeLattice(cells);
-    const double seconds = TimeFrames(MakeTiles(), grid, { ImageSize, frames });
-    first = first == 0.0 ? seconds : first;
-    std::printf("%12lld %9.1f %12.2f\n", static_cast<long long>(grid->GetNumberOfCells()),
-      1e3 * seconds, seconds / first);
+    cases.push_back({ MakeLattice(cells) });
+  }
+  const std::vector<double> seconds = TimeInTurns(cases, frames);
+  std::printf("\nTiles, ten times the cells, in turns\n%12s %9s %12s\n", "tetrahedra", "median ms", "of the first");
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    std::printf("%12lld %9.1f %12.2f\n", static_cast<long long>(cases[i].Grid->GetNumberOfCells()),
+      1e3 * seconds[i], seconds[i] / seconds[0]);
   }
 }
 
 void ComparePixels(const std::string& name, vtkUnstructuredGrid* grid, int frames)
 {
-  std::printf("\nTiles, four times the pixels, %s\n%12s %9s %12s\n", name.c_str(), "pixels",
-    "median ms", "of the first");
-  double first = 0.0;
+  std::vector<Case> cases;
   for (const int size : { 256, 512, 1024, 2048 })
   {
-    const double seconds = TimeFrames(MakeTiles(), grid, { size, frames });
-    first = first == 0.0 ? seconds : first;
-    std::printf("%5d x %4d %9.1f %12.2f\n", size, size, 1e3 * seconds, seconds / first);
+    cases.push_back({ grid, size });
   }
+  const std::vector<double> seconds = TimeInTurns(cases, frames);
+  std::printf("\nTiles, four times the pixels, in turns, %s\n%12s %9s %12s\n", name.c_str(), "pixels",
+    "median ms", "of the first");
+  for (std::size_t i = 0; i < cases.size(); ++i)
+  {
+    std::printf("%5d x %4d %9.1f %12.2f\n", cases[i].Size, cases[i].Size, 1e3 * seconds[i], seconds[i] / seconds[0]);
+  }
+}
+
+// Seconds of a frame in a process of its own; none where other than that many threads took part.
+double AskThreads(int frames, int threads)
+{
+  const std::string answer =
+    BenchmarkThreads::Ask(std::to_string(frames) + " tiles-threads " + std::to_string(threads));
+  int count = 0;
+  double seconds = 0.0;
+  const bool isAnswered = std::sscanf(answer.c_str(), "%d %lf", &count, &seconds) == 2 && count == threads;
+  return isAnswered ? seconds : 0.0;
 }
 
 // A process each: see BenchmarkThreads.
 void CompareThreads(const std::string& name, int frames)
 {
-  const int most = vtkSMPTools::GetEstimatedNumberOfThreads();
-  std::printf("\nTiles, threads, a process each, %s\n%12s %9s %12s\n", name.c_str(), "threads", "median ms", "faster");
-  double first = 0.0;
-  for (int threads = 1; threads <= most; threads *= 2)
+  std::vector<int> counts;
+  for (int threads = 1; threads <= vtkSMPTools::GetEstimatedNumberOfThreads(); threads *= 2)
   {
-    const std::string answer =
-      BenchmarkThreads::Ask(std::to_string(frames) + " tiles-threads " + std::to_string(threads));
-    int count = 0;
-    double seconds = 0.0;
-    if (std::sscanf(answer.c_str(), "%d %lf", &count, &seconds) != 2 || count != threads)
-    {
-      std::printf("%12d left out: %d took part\n", threads, count);
-      continue;
-    }
-    first = first == 0.0 ? seconds : first;
-    std::printf("%12d %9.1f %12.2f\n", threads, 1e3 * seconds, first / seconds);
+    counts.push_back(threads);
+  }
+  std::vector<std::vector<double>> seconds(counts.size());
+  FramesInTurns turns(Processes);
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    turns.Add([frames, threads = counts[i]](int) { return AskThreads(frames, threads); }, seconds[i]);
+  }
+  turns.Draw();
+  std::printf("\nTiles, threads, %d processes each in turns, %s\n%12s %9s %12s\n", Processes, name.c_str(), "threads",
+    "median ms", "faster");
+  const double first = Median(seconds.front());
+  for (std::size_t i = 0; i < counts.size(); ++i)
+  {
+    const double median = Median(seconds[i]);
+    std::printf(median > 0.0 ? "%12d %9.1f %12.2f\n" : "%12d left out: others took part\n", counts[i], 1e3 * median,
+      first / median);
   }
 }
 
-// In turns: a machine's clock changes while the slow ones draw.
 void CompareCasters(int frames)
 {
   const auto grid = MakeLattice(LatticeOfCasters);
@@ -152,24 +198,16 @@ void CompareCasters(int frames)
               "%-28s %7s %10s %8s\n",
     static_cast<long long>(grid->GetNumberOfCells()), "mapper", "frames", "median ms", "Tiles");
   const BenchmarkMapper mappers[] = { BenchmarkMapper::Tiles(), BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() };
-  const int every[] = { 1, 1, std::max(frames / FewFrames, 1) };
   std::vector<std::unique_ptr<BenchmarkScene>> scenes;
+  std::vector<double> seconds[3];
+  FramesInTurns turns(frames);
   for (const BenchmarkMapper& mapper : mappers)
   {
-    scenes.push_back(std::make_unique<BenchmarkScene>(mapper.Make(), grid, ImageSize, false));
-    scenes.back()->TimeFrame(0);
+    BenchmarkScene* scene = scenes.emplace_back(mapper.Show(grid, ImageSize, false)).get();
+    scene->TimeFrame(0);
+    turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, seconds[scenes.size() - 1]);
   }
-  std::vector<double> seconds[3];
-  for (int frame = 1; frame <= frames; ++frame)
-  {
-    for (std::size_t i = 0; i < scenes.size(); ++i)
-    {
-      if (frame % every[i] == 0)
-      {
-        seconds[i].push_back(scenes[i]->TimeFrame(frame));
-      }
-    }
-  }
+  turns.Draw();
   const double tiles = Median(seconds[0]);
   for (std::size_t i = 0; i < scenes.size(); ++i)
   {
