@@ -10,6 +10,7 @@
 
 #include "TileExactCoverage-inl.h"
 #include "TileMesh.h"
+#include "TileSpanOracle.h"
 
 #ifndef TestTileExactRows_Errors
 #define TestTileExactRows_Errors
@@ -28,89 +29,12 @@ struct TileRowErrors
 #endif
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
 {
 namespace HWY_NAMESPACE
 {
-// What an entry and an exit leave of a row, by planes that are not seen edge-on: those bound nothing.
-class RowOracle
-{
-public:
-  RowOracle(const TileExactCell& cell, const TileView& view)
-    : Width(view.Width)
-    , Height(view.Height)
-  {
-    this->Entries.push_back({ 0.0, 0.0, view.NearU });
-    this->Exits.push_back({ 0.0, 0.0, view.FarU });
-    for (const TileExactCell::Plane& plane : cell.Planes)
-    {
-      const Line line{ -plane.A / plane.C, -plane.B / plane.C, -plane.E / plane.C };
-      if (plane.Tolerance <= 0.0)
-      {
-        (plane.IsEntry ? this->Entries : this->Exits).push_back(line);
-      }
-    }
-  }
-
-  // Whether all of the outline bounds rows.
-  bool IsBounded() const
-  {
-    bool isBounded = this->Entries.size() + this->Exits.size() == 6;
-    for (const Line& in : this->Entries)
-    {
-      for (const Line& out : this->Exits)
-      {
-        isBounded = isBounded && (!this->IsLevel(in, out) || this->AreEnds(in, out));
-      }
-    }
-    return isBounded;
-  }
-
-  // By how much along the row a pixel lies outside, beside what the rounding of planes is many times over.
-  double FindOutside(double x, double y) const
-  {
-    double outside = 0.0;
-    for (const Line& in : this->Entries)
-    {
-      for (const Line& out : this->Exits)
-      {
-        const double slope = std::abs(in.A - out.A), apart = in.At(x, y) - out.At(x, y);
-        const double beyond = -(apart + this->RoundingOf(in, out)) / slope;
-        outside = this->IsLevel(in, out) ? outside : std::max(outside, beyond);
-      }
-    }
-    return outside;
-  }
-
-private:
-  // u = A x + B y + E.
-  struct Line
-  {
-    double A, B, E;
-
-    double At(double x, double y) const { return this->A * x + this->B * y + this->E; }
-  };
-  double RoundingOf(const Line& in, const Line& out) const { return 2e-13 * (this->TermsOf(in) + this->TermsOf(out)); }
-  // As good as level: all of the row or nothing.
-  bool IsLevel(const Line& in, const Line& out) const
-  {
-    return 1e3 * this->RoundingOf(in, out) >= std::abs(in.A - out.A);
-  }
-  // The near plane and the far plane.
-  bool AreEnds(const Line& in, const Line& out) const { return &in == &this->Entries[0] && &out == &this->Exits[0]; }
-  double TermsOf(const Line& line) const
-  {
-    return std::abs(line.A) * this->Width + std::abs(line.B) * this->Height + std::abs(line.E);
-  }
-
-  const double Width, Height;
-  std::vector<Line> Entries, Exits;
-};
-
 // Adds what a row has that is covered, and lies outside of the bounds.
 void CheckRow(const TileExactCell& cell, const TileExactRows& rows, int y, int first, int last, TileRowErrors& errors)
 {
@@ -135,8 +59,8 @@ void CheckRows(const TileMesh& mesh, const TileView& view, TileRowErrors& errors
   {
     const TileExactCell cell(mesh, view, id);
     const TileExactRows rows(cell, view);
-    const RowOracle oracle(cell, view);
-    const bool isBounded = oracle.IsBounded();
+    const TileSpanOracle oracle(cell, view);
+    const bool isBounded = oracle.BoundsRows();
     const int width = std::max(cell.Box[2] - cell.Box[0] + 1, 0);
     for (int y = cell.Box[1]; y <= cell.Box[3]; ++y)
     {

@@ -65,10 +65,10 @@ struct ExpectedCell
     , Height(g.Height[k])
   {
   }
-  ExpectedCell(const TileExactCell& cell, const TileRectangle& tile, int id)
+  ExpectedCell(const TileExactCell& cell, const TileView& view, const TileRectangle& tile, int id)
     : Id(id)
     , IsExact(true)
-    , Oracle(cell)
+    , Oracle(cell, view)
     , X(-tile.Left)
     , Y(-tile.Bottom)
     , Left(std::max(cell.Box[0], tile.FirstX) - tile.Left)
@@ -148,7 +148,8 @@ private:
   void Expect(int id, int k)
   {
     const bool isExact = this->Group.Exact[k] != 0;
-    isExact ? this->Expected.emplace_back(TileExactCell(*this->Task.Mesh, *this->Task.View, id), this->Tile, id)
+    isExact ? this->Expected.emplace_back(
+                TileExactCell(*this->Task.Mesh, *this->Task.View, id), *this->Task.View, this->Tile, id)
             : this->Expected.emplace_back(this->Group, k, id);
     ++this->Errors.Cells;
     this->Errors.Exact += isExact ? 1 : 0;
