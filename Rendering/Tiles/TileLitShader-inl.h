@@ -216,11 +216,8 @@ private:
     q.FillLastVector();
     if (!General && this->Task.Lighting->AllowsThin)
     {
-      ThinLight thin(this->Task, this->Tile);
-      for (int at = 0; at < q.Count; at += ThinLight::Batch * lanes)
-      {
-        thin.Color(this->Values, at, q, rest);
-      }
+      ThinHeadlight::Suits(*this->Task.Lighting) ? this->ColorThin<ThinHeadlight>(q, rest)
+                                                 : this->ColorThin<ThinLights>(q, rest);
       return rest.Count;
     }
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
@@ -228,6 +225,17 @@ private:
       this->ShadeByParts(begin, std::min(Batch, (q.Count - begin + lanes - 1) / lanes), q, rest);
     }
     return 0;
+  }
+
+  template <class Lights>
+  HWY_NOINLINE void ColorThin(TileFragments& q, TileLitPieces& rest) const
+  {
+    constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
+    ThinLight<Lights> thin(this->Task, this->Tile);
+    for (int at = 0; at < q.Count; at += ThinLight<Lights>::Batch * lanes)
+    {
+      thin.Color(this->Values, at, q, rest);
+    }
   }
 
   /// Shades the first parts of `count` vectors from `begin` on.

@@ -36,9 +36,9 @@ public:
     const TileRectangle& tile)
     : Fields(fields)
   {
-    // Over the weights of the mesh's middle: the fourth power of a gradient must not leave the range of a float,
+    // Over the weight of the mesh's middle: the fourth power of a gradient must not leave the range of a float,
     // however small or large the world is.
-    const glm::dmat4 columns = lighting.ScreenToMesh * (1.0 / (view.WeightOffset * view.WeightOffset));
+    const glm::dmat4 columns = lighting.ScreenToMesh * (1.0 / view.WeightOffset);
     const glm::dvec4 corner =
       columns[3] + double(tile.Left) * columns[0] + double(tile.Bottom) * columns[1];
     for (int i = 0; i < 4; ++i)

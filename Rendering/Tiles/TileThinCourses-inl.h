@@ -25,7 +25,6 @@
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -39,39 +38,37 @@ namespace hn = hwy::HWY_NAMESPACE;
 struct ThinCourse
 {
   ShadeVector X, Y; // of the pixels
-  ShadeVector Entry, Extent, WeightIn, WeightOut;
-  ShadeVector Inverse; // of both weights' product
+  ShadeVector Place[2]; // u at the two places
   ShadeVector First, Last, Length; // scalars at both ends; in the world
   ShadeVector EyeX, EyeY, PerEye; // 2 / length of (EyeX, EyeY, 1)
   ShadeIndex Piece;
-  ShadeVector Depth, Bend; // optical depth, see ThinAbsorption
-  ShadeVector Gradient[2][3]; // at the two places, times a number
-  ShadeVector Square[2]; // of the gradient
+  ShadeVector Depth; // optical
+  ShadeVector Alpha, Before, Behind; // see ThinNodes
   ShadeMask Fits;
 };
 
-/// Of the two places from the middle, as a share of half the way.
-constexpr float ThinApart = 0.57735027f;
-
-HWY_INLINE ShadeVector SideOf(const TileLight& light, const ShadeVector (&gradient)[3])
+/// The gradients of a vector of fragments at the two places, each times a number.
+struct ThinGradients
 {
-  return light.IsAlongView ? gradient[2] : Dot(gradient, light.Towards);
-}
+  ShadeVector At[2][3];
+  ShadeVector Square[2], Product;
+};
+
+/// The two places along a fragment.
+constexpr float ThinPlaces[2] = { 0.21132487f, 0.78867513f };
 
 class ThinCourses
 {
 public:
   ThinCourses(const TileTask& task, const TileRectangle& tile)
     : Transfer(*task.Transfer)
-    , Lighting(*task.Lighting)
     , Gradients(*task.Gradients, *task.Lighting, *task.View, tile)
     , WeightScale(Spread(task.View->WeightScale))
     , WeightOffset(Spread(task.View->WeightOffset))
     , HalfLengthPerWay(Spread(0.5 * task.Lighting->Rays.LengthPerWay))
-    , SquaredTurn(Spread(task.Lighting->GreatestTurn * task.Lighting->GreatestTurn))
-    , LeastDepth(Spread(std::pow(task.Lighting->GreatestTurn / GreatestTurn, 8.0f)))
-    , ApartScale(Spread(ThinApart * task.View->WeightScale))
-    , ApartOffset(Spread(ThinApart * task.View->WeightOffset))
+    , HalfTurn(Spread(task.Lighting->GreatestTurn * 0.28867513))
+    , TwiceTurn(Spread(task.Lighting->GreatestTurn * 1.15470054))
+    , LeastDepth(Spread(FindLeastDepth(task.Lighting->GreatestTurn / GreatestTurn)))
   {
     const TileLighting::ViewRays& rays = task.Lighting->Rays;
     for (int k = 0; k < 2; ++k)
@@ -89,75 +86,126 @@ public:
     const PixelPlaces places(hn::Load(ShadeInt(), q.Pixel + at));
     c.X = places.X;
     c.Y = places.Y;
-    c.Entry = hn::Load(d, q.Entry + at);
-    c.Extent = hn::Load(d, q.Extent + at);
-    c.WeightIn = hn::MulAdd(this->WeightScale, c.Entry, this->WeightOffset);
-    c.WeightOut = hn::NegMulAdd(this->WeightScale, c.Extent, c.WeightIn);
-    c.Inverse = Reciprocal(d, hn::Mul(c.WeightIn, c.WeightOut));
-    c.First = hn::Mul(hn::Mul(hn::Load(d, q.ScalarIn + at), c.WeightOut), c.Inverse);
-    c.Last = hn::Mul(hn::Mul(hn::Load(d, q.ScalarOut + at), c.WeightIn), c.Inverse);
     c.EyeX = hn::MulAdd(this->EyePerPixel[0], c.X, this->EyeStart[0]);
     c.EyeY = hn::MulAdd(this->EyePerPixel[1], c.Y, this->EyeStart[1]);
     const auto square =
       hn::MulAdd(c.EyeX, c.EyeX, hn::MulAdd(c.EyeY, c.EyeY, hn::Set(d, 1.0f)));
     c.PerEye = TwiceInverseRoot(d, square);
     const auto way = hn::Mul(hn::Mul(square, c.PerEye), this->HalfLengthPerWay);
-    c.Length = hn::Mul(hn::Mul(c.Extent, c.Inverse), way);
+    const ThinEnds ends = this->FindEnds(q, at);
+    c.Length = hn::Mul(hn::Mul(ends.Extent, ends.Inverse), way);
+    c.First = hn::Mul(hn::Load(d, q.ScalarIn + at), hn::Mul(ends.WeightOut, ends.Inverse));
+    c.Last = hn::Mul(hn::Load(d, q.ScalarOut + at), hn::Mul(ends.WeightIn, ends.Inverse));
+    // Even in depth, not in u.
+    const auto extent = hn::Mul(ends.Extent, ends.WeightIn);
+    for (int i = 0; i < 2; ++i)
+    {
+      const auto ratio = hn::Set(d, ThinPlaces[1 - i] / ThinPlaces[i]);
+      const auto whole = hn::MulAdd(ends.WeightOut, ratio, ends.WeightIn);
+      c.Place[i] = hn::NegMulAdd(extent, hn::ApproximateReciprocal(whole), ends.Entry);
+    }
   }
 
-  /// Piece and optical depth; which fragments are thin and lie in one piece.
+  /// Piece, optical depth and what is absorbed; which fragments are thin and lie in one piece.
   template <class LookUp>
   HWY_INLINE void FindDepth(const LookUp& values, ThinCourse& c) const
   {
     const ShadeFloat d;
     const TileTransfer& t = this->Transfer;
-    const auto half = hn::Set(d, 0.5f);
     c.Piece = PieceOf(values, t, c.First);
-    const auto perScalar = hn::Mul(values(t.Slopes[3].data(), c.Piece), half);
+    const auto perScalar = hn::Mul(values(t.Slopes[3].data(), c.Piece), hn::Set(d, 0.5f));
     const auto middle = hn::MulAdd(
       perScalar, hn::Add(c.First, c.Last), values(t.Offsets[3].data(), c.Piece));
     const auto depth = hn::Mul(middle, c.Length);
-    c.Bend = hn::Mul(hn::Mul(perScalar, c.Length), hn::Sub(c.Last, c.First));
-    c.Depth = hn::Max(depth, hn::Zero(d));
     // The depth last: where a scalar is not a number neither is it.
     const auto beyond = hn::Sub(depth, hn::Set(d, DeepestThin));
     c.Fits = hn::Le(hn::Max(this->BeyondPiece(values, c), beyond), hn::Zero(d));
+    c.Depth = hn::Max(depth, hn::Zero(d));
+    const auto bend = hn::Mul(hn::Mul(perScalar, c.Length), hn::Sub(c.Last, c.First));
+    const ThinNodes<ShadeVector> nodes(d, c.Depth, bend);
+    c.Alpha = nodes.Alpha;
+    c.Before = nodes.Before;
+    c.Behind = nodes.Behind;
   }
 
-  /// Gradients. Fragments do not fit along which they turn too much for the optical depth, as TileLightSource
-  /// has it, are zero, or turn away from a light.
-  HWY_INLINE void FindGradients(const TileFragments& q, int at, ThinCourse& c)
+  /// What gradients are made of in the vector of fragments from `at` on: see ScreenGradients::Load.
+  HWY_INLINE const ShadeVector* LoadRows(
+    const TileFragments& q, int at, ShadeVector (&mixed)[ScreenGradients::Terms])
   {
-    this->FindNodes(q, at, c);
-    c.Square[0] = Dot(c.Gradient[0], c.Gradient[0]);
-    c.Square[1] = Dot(c.Gradient[1], c.Gradient[1]);
-    const auto product = Dot(c.Gradient[0], c.Gradient[1]);
-    this->LeaveTurning(product, c);
+    const int used = std::min(static_cast<int>(hn::Lanes(ShadeFloat())), q.Count - at);
+    return this->Gradients.Load(q.Cell + at, used, mixed);
+  }
+
+  static HWY_INLINE void FindGradients(const ShadeVector* rows, const ThinCourse& c, ThinGradients& g)
+  {
+    for (int k = 0; k < 3; ++k)
+    {
+      const ShadeVector* r = rows + 4 * k;
+      const auto plane = hn::MulAdd(r[0], c.X, hn::MulAdd(r[1], c.Y, r[3]));
+      g.At[0][k] = hn::MulAdd(r[2], c.Place[0], plane);
+      g.At[1][k] = hn::MulAdd(r[2], c.Place[1], plane);
+    }
+    g.Square[0] = Dot(g.At[0], g.At[0]);
+    g.Square[1] = Dot(g.At[1], g.At[1]);
+    g.Product = Dot(g.At[0], g.At[1]);
+  }
+
+  /// Along which fragments gradients turn little for the optical depth, as TileLightSource has it, and are not zero.
+  HWY_INLINE ShadeMask TurnsLittle(const ThinGradients& g, ShadeVector depth) const
+  {
+    const ShadeFloat d;
+    const auto crossed = hn::MulSub(g.Square[0], g.Square[1], hn::Mul(g.Product, g.Product));
+    // At both ends: the gradients' product; their cross product is the nodes' times the root of 3.
+    const auto squares = hn::Add(g.Square[0], g.Square[1]);
+    const auto ahead = hn::NegMulAdd(squares, this->HalfTurn, hn::Mul(g.Product, this->TwiceTurn));
+    const auto deep = hn::Max(depth, this->LeastDepth);
+    const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(deep));
+    // Less, not at most: near the eye both may be infinite.
+    return hn::Lt(hn::Mul(crossed, root), hn::Mul(ahead, hn::Abs(ahead)));
+  }
+
+  /// The gradients where fragments begin, and what they change by up to their ends.
+  HWY_INLINE void FindRises(const TileFragments& q, int at, const ShadeVector* rows, const ThinCourse& c,
+    ShadeVector (&begin)[3], ShadeVector (&rise)[3]) const
+  {
+    const ThinEnds ends = this->FindEnds(q, at);
+    const auto inverse = hn::Mul(ends.Inverse, this->WeightOffset);
+    const auto in = hn::Mul(ends.WeightOut, inverse), out = hn::Mul(ends.WeightIn, inverse);
+    const auto exit = hn::Sub(ends.Entry, ends.Extent);
+    for (int k = 0; k < 3; ++k)
+    {
+      const ShadeVector* r = rows + 4 * k;
+      const auto plane = hn::MulAdd(r[0], c.X, hn::MulAdd(r[1], c.Y, r[3]));
+      begin[k] = hn::Mul(hn::MulAdd(r[2], ends.Entry, plane), in);
+      rise[k] = hn::MulSub(hn::MulAdd(r[2], exit, plane), out, begin[k]);
+    }
   }
 
 private:
+  /// A vector of fragments in u; the inverse of both weights' product.
+  struct ThinEnds
+  {
+    ShadeVector Entry, Extent, WeightIn, WeightOut, Inverse;
+  };
+
   static ShadeVector Spread(double value) { return hn::Set(ShadeFloat(), static_cast<float>(value)); }
 
-  HWY_INLINE void LeaveTurning(ShadeVector product, ThinCourse& c) const
+  static float FindLeastDepth(float share)
+  {
+    const float fourth = share * share * share * share;
+    return fourth * fourth;
+  }
+
+  HWY_INLINE ThinEnds FindEnds(const TileFragments& q, int at) const
   {
     const ShadeFloat d;
-    const auto crossed =
-      hn::MulSub(c.Square[0], c.Square[1], hn::Mul(product, product));
-    const auto squares = hn::Add(c.Square[0], c.Square[1]), twice = hn::Add(product, product);
-    // At both ends: the gradients' product; their cross product is the nodes' times the root of 3.
-    const auto ahead = hn::NegMulAdd(squares, hn::Set(d, 0.5f), twice);
-    const auto deep = hn::Max(c.Depth, this->LeastDepth);
-    const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(deep));
-    const auto turn = hn::Mul(hn::MulAdd(crossed, hn::Set(d, 3.0f), hn::Set(d, 1e-30f)), root);
-    const auto room = hn::Mul(hn::Mul(ahead, ahead), this->SquaredTurn);
-    // Less, not at most: near the eye both may be infinite.
-    const auto smooth = hn::And(hn::Lt(turn, room), hn::Lt(hn::Zero(d), ahead));
-    c.Fits = hn::And(c.Fits, smooth);
-    const auto least = hn::Mul(hn::Add(squares, twice), hn::Set(d, 0.25f * LeastKink * LeastKink));
-    for (const TileLight& light : this->Lighting.Lights)
-    {
-      c.Fits = hn::And(c.Fits, StaysBefore(light, c, least));
-    }
+    ThinEnds ends;
+    ends.Entry = hn::Load(d, q.Entry + at);
+    ends.Extent = hn::Load(d, q.Extent + at);
+    ends.WeightIn = hn::MulAdd(this->WeightScale, ends.Entry, this->WeightOffset);
+    ends.WeightOut = hn::NegMulAdd(this->WeightScale, ends.Extent, ends.WeightIn);
+    ends.Inverse = Reciprocal(d, hn::Mul(ends.WeightIn, ends.WeightOut));
+    return ends;
   }
 
   template <class LookUp>
@@ -173,50 +221,12 @@ private:
     return hn::Max(below, above);
   }
 
-  /// What is linear on the screen, at the two places: times the weights of both ends.
-  HWY_INLINE void FindNodes(const TileFragments& q, int at, ThinCourse& c)
-  {
-    const int used = std::min(static_cast<int>(hn::Lanes(ShadeFloat())), q.Count - at);
-    ShadeVector mixed[ScreenGradients::Terms];
-    const ShadeVector* rows = this->Gradients.Load(q.Cell + at, used, mixed);
-    const auto exit = hn::Sub(c.Entry, c.Extent);
-    const auto even = hn::Add(c.WeightIn, c.WeightOut);
-    const auto along = hn::MulAdd(c.Entry, c.WeightOut, hn::Mul(exit, c.WeightIn));
-    const ShadeVector across[2] = { hn::NegMulAdd(this->ApartScale, c.Extent, even),
-      hn::MulAdd(this->ApartScale, c.Extent, even) };
-    const ShadeVector depths[2] = { hn::MulAdd(this->ApartOffset, c.Extent, along),
-      hn::NegMulAdd(this->ApartOffset, c.Extent, along) };
-    for (int k = 0; k < 3; ++k)
-    {
-      const ShadeVector* r = rows + 4 * k;
-      const auto plane = hn::MulAdd(r[0], c.X, hn::MulAdd(r[1], c.Y, r[3]));
-      for (int i = 0; i < 2; ++i)
-      {
-        c.Gradient[i][k] = hn::MulAdd(plane, across[i], hn::Mul(r[2], depths[i]));
-      }
-    }
-  }
-
-  /// Whether both ends are on the same side, or what turns away is too little to be seen.
-  static HWY_INLINE ShadeMask StaysBefore(
-    const TileLight& light, const ThinCourse& c, ShadeVector least)
-  {
-    const ShadeFloat d;
-    const auto first = SideOf(light, c.Gradient[0]), second = SideOf(light, c.Gradient[1]);
-    const auto turned = hn::Mul(hn::Sub(second, first), c.Depth);
-    const auto kept = hn::Mul(hn::Add(second, first), c.Depth);
-    const auto allowed = hn::Max(hn::Mul(kept, kept), least);
-    return hn::Le(hn::Mul(hn::Mul(turned, turned), hn::Set(d, 3.0f)), allowed);
-  }
-
   const TileTransfer& Transfer;
-  const TileLighting& Lighting;
   ScreenGradients Gradients;
   // Vectors: to spread a number takes an instruction each time where registers are few.
   const ShadeVector WeightScale, WeightOffset, HalfLengthPerWay;
-  // The tangent of the greatest turn, squared; the depth from which on it counts.
-  const ShadeVector SquaredTurn, LeastDepth;
-  const ShadeVector ApartScale, ApartOffset;
+  // Half and twice the tangent of the greatest turn over the root of 3; the depth from which on it counts.
+  const ShadeVector HalfTurn, TwiceTurn, LeastDepth;
   ShadeVector EyeStart[2], EyePerPixel[2];
 };
 }
