@@ -6,7 +6,7 @@
 #include <vector>
 
 /// Frames of several scenes, one of each in turn: a machine's clock changes from second to second, for neighbours in time alike.
-/// Frames of the benchmark's first mapper are no slower after another's seconds than one after the other.
+/// Measured: a frame is no slower for coming after another mapper's seconds.
 class FramesInTurns
 {
 public:

@@ -101,6 +101,7 @@ struct Case
 {
   vtkSmartPointer<vtkUnstructuredGrid> Grid;
   int Size = ImageSize;
+  BenchmarkMapper Mapper = BenchmarkMapper::Tiles();
 };
 
 // Medians of the frames after the first.
@@ -111,8 +112,7 @@ std::vector<double> TimeInTurns(const std::vector<Case>& cases, int frames)
   FramesInTurns turns(frames);
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
-    BenchmarkScene* scene =
-      scenes.emplace_back(BenchmarkMapper::Tiles().Show(cases[i].Grid, cases[i].Size, false)).get();
+    BenchmarkScene* scene = scenes.emplace_back(cases[i].Mapper.Show(cases[i].Grid, cases[i].Size, false)).get();
     scene->TimeFrame(0);
     turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, seconds[i]);
   }
@@ -194,25 +194,16 @@ void CompareThreads(const std::string& name, int frames)
 void CompareCasters(int frames)
 {
   const auto grid = MakeLattice(LatticeOfCasters);
+  const std::vector<Case> cases = { { grid, ImageSize, BenchmarkMapper::Tiles() },
+    { grid, ImageSize, BenchmarkMapper::Bunyk() }, { grid, ImageSize, BenchmarkMapper::ZSweep() } };
+  const std::vector<double> seconds = TimeInTurns(cases, frames);
   std::printf("\nVTK's ray casters in turns, a ray for every pixel, a jittered lattice of %lld tetrahedra\n"
               "%-28s %7s %10s %8s\n",
     static_cast<long long>(grid->GetNumberOfCells()), "mapper", "frames", "median ms", "Tiles");
-  const BenchmarkMapper mappers[] = { BenchmarkMapper::Tiles(), BenchmarkMapper::Bunyk(), BenchmarkMapper::ZSweep() };
-  std::vector<std::unique_ptr<BenchmarkScene>> scenes;
-  std::vector<double> seconds[3];
-  FramesInTurns turns(frames);
-  for (const BenchmarkMapper& mapper : mappers)
+  for (std::size_t i = 0; i < cases.size(); ++i)
   {
-    BenchmarkScene* scene = scenes.emplace_back(mapper.Show(grid, ImageSize, false)).get();
-    scene->TimeFrame(0);
-    turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, seconds[scenes.size() - 1]);
-  }
-  turns.Draw();
-  const double tiles = Median(seconds[0]);
-  for (std::size_t i = 0; i < scenes.size(); ++i)
-  {
-    std::printf("%-28s %7zu %10.1f %8.1f\n", mappers[i].Name.c_str(), seconds[i].size(), 1e3 * Median(seconds[i]),
-      Median(seconds[i]) / tiles);
+    std::printf("%-28s %7d %10.1f %8.1f\n", cases[i].Mapper.Name.c_str(), frames, 1e3 * seconds[i],
+      seconds[i] / seconds[0]);
   }
 }
 }
