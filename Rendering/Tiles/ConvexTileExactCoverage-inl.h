@@ -158,7 +158,7 @@ void CoverExactConvexCell(const ConvexTileTask& task, const TileRectangle& tile,
     {
       CoverLanes(task, tile, cell, x, y, std::min(lanes, box.LastX - x + 1), out);
     }
-    if (out.Count >= TileFragments::Full)
+    if (out.Count >= out.Full)
     {
       flush();
     }

@@ -78,7 +78,7 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
       continue;
     }
     CoverAnyConvexCell(task, tile, cells[i], shapes, scratch.ExactCell, q, flush);
-    if (q.Count >= TileFragments::Full)
+    if (q.Count >= q.Full)
     {
       flush();
     }

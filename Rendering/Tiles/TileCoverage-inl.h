@@ -263,7 +263,7 @@ inline int CoverRunOfCells(
 {
   CoverRun run;
   run.First = k;
-  for (; k < count && out.Count < TileFragments::Full && group.Exact[k] == 0; ++k)
+  for (; k < count && out.Count < out.Full && group.Exact[k] == 0; ++k)
   {
     out.BeginCell(ids[k]);
     boxes[k] = PackBox(group, k);
@@ -288,7 +288,7 @@ template <class Flush>
 int CoverGroup(const TileTask& task, const TileRectangle& tile, const TileGroup& group,
   const int* ids, int k, int count, std::uint32_t* boxes, TileFragments& out, const Flush& flush)
 {
-  while (k < count && out.Count < TileFragments::Full)
+  while (k < count && out.Count < out.Full)
   {
     if (group.Exact[k] == 0)
     {

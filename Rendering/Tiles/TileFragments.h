@@ -13,9 +13,11 @@
 struct TileFragments
 {
   /** Emptied between cells when there are this many; one cell covers a tile at most, or is handed on between its
-   * rows. */
-  static constexpr int Full = 512;
-  static constexpr int Capacity = Full + TileSize::Pixels * TileSize::Pixels + 64;
+   * rows. A long queue goes from loop to loop less often, a short one tells sooner what is hidden. */
+  static constexpr int Shortest = 512;
+  static constexpr int Longest = 2048;
+  int Full = Shortest;
+  static constexpr int Capacity = Longest + TileSize::Pixels * TileSize::Pixels + 64;
 
   int Count = 0;
   /** u where the ray enters, u lost until it leaves; scalar times weight at both. */

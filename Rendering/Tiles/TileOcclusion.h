@@ -10,11 +10,12 @@
 #ifndef TileOcclusion_h
 #define TileOcclusion_h
 
+#include "TileFragments.h"
+
 #include <array>
 #include <cstdint>
 
 struct TileBuffer;
-struct TileFragments;
 struct TileRectangle;
 struct TileTask;
 
@@ -28,10 +29,15 @@ public:
   /** Nothing hides anything. `isInOrder`: what comes later lies behind. */
   void Clear(const TileTask& task, const TileRectangle& tile, bool isInOrder);
 
-  /** Before fragments are shaded: finds the blocks that hide where about as many fragments as that
-   *  costs were in vain, judged by two of each queue. */
+  /** After fragments are laid over each other: finds the blocks that hide where about as many fragments
+   *  as that costs were in vain, judged by the pixels of two of each queue. */
   void Watch(const TileFragments& fragments, const TileBuffer& buffer);
 
+  /** Of the next queue: short as soon as any was in vain. */
+  int QueueLength() const
+  {
+    return this->InVain > 0 || this->Hides ? TileFragments::Shortest : TileFragments::Longest;
+  }
   bool HidesAny() const { return this->Hides; }
   /** Whether blocks hide all of a cell; `box`: its pixels in the tile, a TileBox. */
   bool HidesCell(

@@ -102,6 +102,7 @@ void CoverTile(
   const SetupBounds bounds(task);
   std::vector<int>& ids = scratch.Drawn;
   scratch.Boxes.resize(ids.size());
+  scratch.Fragments.Full = scratch.Occlusion.QueueLength();
   scratch.Fragments.Count = 0;
   scratch.Fragments.NamesCells = task.Lighting != nullptr;
   scratch.Fragments.CountsLanes = scratch.Clock.GetIsOn();
@@ -114,6 +115,7 @@ void CoverTile(
       ClipFragments(task, tile, scratch.Fragments);
     }
     flush();
+    scratch.Fragments.Full = scratch.Occlusion.QueueLength();
     scratch.Fragments.Count = 0;
   };
   std::size_t next = 0, at = 0;
@@ -136,7 +138,7 @@ void CoverTile(
     {
       k = CoverGroup(
         task, tile, scratch.Group, &ids[at], k, count, &scratch.Boxes[at], scratch.Fragments, handOn);
-      if (scratch.Fragments.Count >= TileFragments::Full)
+      if (scratch.Fragments.Count >= scratch.Fragments.Full)
       {
         handOn();
       }
@@ -236,7 +238,6 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
   CoverTile(task, tile, scratch,
     [&]
     {
-      scratch.Occlusion.Watch(fragments, buffer);
       scratch.Counts.Fragments += fragments.Count;
       scratch.Counts.TrustedFragments += scratch.IsInOrder ? fragments.Count : 0;
       scratch.Clock.Lap(TileStages::Cover);
@@ -246,6 +247,7 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
       scratch.Clock.Lap(TileStages::Shade);
       scratch.IsInOrder ? CompositeFragments<false>(fragments, task.Tolerance, buffer)
                         : CompositeFragments<true>(fragments, task.Tolerance, buffer);
+      scratch.Occlusion.Watch(fragments, buffer);
       scratch.Clock.Lap(TileStages::Composite);
     });
   scratch.Counts.Cells += static_cast<long long>(scratch.Drawn.size());

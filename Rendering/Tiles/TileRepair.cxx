@@ -116,7 +116,7 @@ void TileRepair::Clear(TileBuffer& tile) const
 bool TileRepair::Take(TileFragments& out)
 {
   out.Count = 0;
-  while (this->Taken < this->Fragments.size() && out.Count < TileFragments::Full)
+  while (this->Taken < this->Fragments.size() && out.Count < out.Full)
   {
     const Fragment& fragment = this->Fragments[this->Taken++];
     const int at = out.Count++;

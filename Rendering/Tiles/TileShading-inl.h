@@ -220,6 +220,9 @@ private:
     course.Last = ends.Last(q.ScalarOut + at);
   }
 
+  /// So many batches are shaded by parts unseen after one of which few vectors are thin.
+  static constexpr int MostSkipped = 3;
+
   /// Vectors of thin fragments in one piece are coloured at once, the others by parts; returns how much more
   /// this shades than a piece of each fragment.
   TileShadeCount ShadeFirstPieces(TileFragments& q, TileRemainders& rest) const
@@ -228,7 +231,7 @@ private:
     q.FillLastVector();
     ThinBatch batch;
     ThinLine line{ this->Transfer.Lines.data() };
-    bool tries = true;
+    int skipped = MostSkipped;
     TileShadeCount more;
     for (int at = 0; at < q.Count; at += ThinBatch::Size * lanes)
     {
@@ -237,16 +240,14 @@ private:
       {
         this->FindCourse(q, at + i * lanes, batch.Courses[i]);
       }
-      // Where few are thin, the next ones are not tried.
-      tries = tries && batch.FindDepths(this->Values, this->Transfer, line);
-      if (tries)
+      if (skipped == MostSkipped && batch.FindDepths(this->Values, this->Transfer, line))
       {
         this->ColorThinOnes(batch, at, q, rest, more);
+        continue;
       }
-      else
-      {
-        this->ShadeByParts(batch, at, q, rest);
-      }
+      // Where few are thin, the next ones are not tried.
+      skipped = skipped == MostSkipped ? 0 : skipped + 1;
+      this->ShadeByParts(batch, at, q, rest);
     }
     return more;
   }

@@ -94,12 +94,13 @@ struct ExpectedCell
 class RunCheck
 {
 public:
-  RunCheck(const TileTask& task, const TileRectangle& tile, TileRunErrors& errors)
+  RunCheck(const TileTask& task, const TileRectangle& tile, int full, TileRunErrors& errors)
     : Task(task)
     , Tile(tile)
     , Errors(errors)
   {
     this->Queue.NamesCells = true;
+    this->Queue.Full = full;
     this->Forget();
   }
 
@@ -135,7 +136,7 @@ private:
         this->Expect(ids[cell], cell);
         this->Errors.WrongCells += boxes[cell] == this->Expected.back().GetBox() ? 0 : 1;
       }
-      const bool isFull = this->Queue.Count >= TileFragments::Full;
+      const bool isFull = this->Queue.Count >= this->Queue.Full;
       this->Errors.WrongQueues += k <= begin || (k < count && !isFull) ? 1 : 0;
       this->Errors.InGroups += isFull && k < count ? 1 : 0;
       if (isFull)
@@ -171,8 +172,8 @@ private:
       this->Errors.Empty += at > begin ? 0 : 1;
     }
     // None begins where it was full already.
-    this->Errors.WrongQueues += at == this->Queue.Count && last < TileFragments::Full ? 0 : 1;
-    this->Errors.Shared += at >= TileFragments::Full && filled > 1 ? 1 : 0;
+    this->Errors.WrongQueues += at == this->Queue.Count && last < this->Queue.Full ? 0 : 1;
+    this->Errors.Shared += at >= this->Queue.Full && filled > 1 ? 1 : 0;
     this->Errors.Fragments += at;
     ++this->Errors.Queues;
     this->Forget();
@@ -243,9 +244,9 @@ private:
   std::array<int, TileSize::Pixels * TileSize::Pixels> Found;
 };
 
-void CheckRuns(const TileTask& task, const TileRectangle& tile, int cells, TileRunErrors& errors)
+void CheckRuns(const TileTask& task, const TileRectangle& tile, int full, int cells, TileRunErrors& errors)
 {
-  std::make_unique<RunCheck>(task, tile, errors)->CoverCells(cells);
+  std::make_unique<RunCheck>(task, tile, full, errors)->CoverCells(cells);
 }
 }
 }
@@ -290,7 +291,8 @@ void CheckMix(TestChecks& checks, const std::vector<int>& kinds, int exact, bool
   const std::vector<TileRectangle> rectangles = ScreenCells::MakeRectangles();
   for (const std::size_t at : { 0, 2, 3 })
   {
-    HWY_DYNAMIC_DISPATCH(CellProjectionTiles::CheckRuns)(cells.Task, rectangles[at], cells.GetCount(), errors);
+    const int full = at == 0 ? TileFragments::Longest : TileFragments::Shortest;
+    HWY_DYNAMIC_DISPATCH(CellProjectionTiles::CheckRuns)(cells.Task, rectangles[at], full, cells.GetCount(), errors);
   }
   std::cout << "  " << kinds.size() << " kinds" << (isCut ? ", cut" : "") << ": " << errors.Cells << " cells, "
             << errors.Exact << " in double, " << errors.Empty << " empty, " << errors.Fragments << " fragments in "
