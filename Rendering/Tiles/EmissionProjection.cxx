@@ -57,6 +57,8 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
   const TileView& view = *task.Common.View;
   TileFragments& q = scratch.Fragments;
   std::fill_n(scratch.Buffer.Pixels, TileBuffer::Size, TileBuffer::Pixel{ 0.0f, 0.0f, 0.0f, 0.0f });
+  // In no order, nothing is ever opaque.
+  q.Full = TileFragments::Longest;
   q.Count = 0;
   auto flush = [&]
   {
