@@ -26,7 +26,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-static_assert(TileGroup::Size <= 16, "cells are looked up a vector at a time");
+static_assert(TileGroup::Batch <= 16, "cells are looked up a vector at a time");
 
 /// Where the scalar is one value, in the lanes of a group.
 struct CutPlane

@@ -1,5 +1,5 @@
 /**
- * Sixteen tetrahedra set up for one tile.
+ * Tetrahedra set up for one tile.
  *
  * On the screen extended by u a tetrahedron stays one, and scalar * weight is linear in it. x and y
  * count pixels from the corner of the cell's box.
@@ -13,7 +13,10 @@
 
 struct TileGroup
 {
-  static constexpr int Size = 16;
+  /** At most: to go from set-up to coverage and on costs as much for few cells as for many. */
+  static constexpr int Size = 128;
+  /** Always whole ones are set up, the last cell fills what is left. */
+  static constexpr int Batch = 16;
 
   /** Of the plane of face f: u = P + A x + B y. The last two cut off what is transparent: where
    *  rays come to what is seen, and where they leave it. */

@@ -75,11 +75,12 @@ inline int TakeGroup(const TileTask& task, const TileRectangle& tile, std::size_
     return static_cast<int>(count);
   }
   std::size_t end = at;
-  for (; next < ids.size() && end < at + TileGroup::Size; ++next)
+  // Few at a time: what they hide is seen between groups.
+  for (; next < ids.size() && end < at + TileGroup::Batch; ++next)
   {
-    if (next % TileGroup::Size == 0)
+    if (next % TileGroup::Batch == 0)
     {
-      PrefetchCells(task, ids, next + TileGroup::Size, next + 2 * TileGroup::Size);
+      PrefetchCells(task, ids, next + TileGroup::Batch, next + 2 * TileGroup::Batch);
     }
     std::uint32_t box = 0;
     if (scratch.Occlusion.HidesCell(task, tile, ids[next], box))

@@ -29,7 +29,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using SetupFloat = hn::CappedTag<float, TileGroup::Size>;
+using SetupFloat = hn::CappedTag<float, TileGroup::Batch>;
 using SetupInt = hn::RebindToSigned<SetupFloat>;
 using SetupVector = hn::Vec<SetupFloat>;
 
@@ -165,7 +165,7 @@ inline hn::Mask<SetupFloat> SetUpPlanes(const SetupCorners& c, const SetupWeight
   auto tooSteep = hn::Lt(hn::Zero(d), hn::Zero(d));
   const auto roundedPerArea = hn::Mul(c.DepthRange(), hn::Set(d, SetupBounds::FloatRounding));
   auto entries = hn::Zero(di);
-  const auto stepFaces = hn::Load(di, steps + lane);
+  const auto stepFaces = hn::Load(di, steps);
   const auto perDepth = hn::Mul(weights.Least, weights.Least);
   const auto steep = hn::Mul(hn::Set(d, bounds.Steep), perDepth);
   const auto steepStep = hn::Mul(hn::Set(d, bounds.SteepStep), perDepth);
@@ -243,57 +243,69 @@ inline void CutTransparent(
     [&](auto values) { SetUpCuts<decltype(values)>(task, least, greatest, lane, group); });
 }
 
-inline void SetUpLanes(const TileTask& task, const TileRecords& records, int lane,
-  const TileRectangle& tile, const SetupBounds& bounds, const int* steps, const float* cellScalars,
-  TileGroup& group)
+/// What is gathered of the cells of a batch.
+struct SetupBatch
+{
+  static_assert(TileGroup::Batch == TileRecords::Count && TileGroup::Size % TileGroup::Batch == 0, "batches fill groups");
+  TileRecords Records;
+  HWY_ALIGN int Steps[TileGroup::Batch];
+  HWY_ALIGN float Scalars[TileGroup::Batch];
+  const bool HasScalars;
+
+  SetupBatch(const TileTask& task, const int* cells, int count, int* exact)
+    : HasScalars(!task.Mesh->CellScalars.empty())
+  {
+    int ids[TileGroup::Batch];
+    const int allExact = task.AllExact ? 1 : 0;
+    for (int k = 0; k < TileGroup::Batch; ++k)
+    {
+      ids[k] = cells[std::min(k, count - 1)];
+      this->Steps[k] = task.Mesh->Steps[ids[k]];
+      exact[k] = allExact | (task.Cells->Faces[ids[k]] & TileCells::Exact);
+    }
+    this->Records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
+    for (int k = 0; this->HasScalars && k < TileGroup::Batch; ++k)
+    {
+      this->Scalars[k] = task.Mesh->CellScalars[ids[k]];
+    }
+  }
+};
+
+/// A vector of a batch from `lane` on, in the group from `at` on.
+inline void SetUpLanes(const TileTask& task, const SetupBatch& batch, int lane, const TileRectangle& tile,
+  const SetupBounds& bounds, int at, TileGroup& group)
 {
   const SetupFloat d;
   const SetupInt di;
   SetupCorners c;
   for (int corner = 0; corner < 4; ++corner)
   {
-    records.Load(d, corner, lane, c.Corner[corner]);
-    c.Corner[corner][3] = cellScalars ? hn::Load(d, cellScalars + lane) : c.Corner[corner][3];
+    batch.Records.Load(d, corner, lane, c.Corner[corner]);
+    c.Corner[corner][3] = batch.HasScalars ? hn::Load(d, batch.Scalars + lane) : c.Corner[corner][3];
   }
   c.Build();
   const SetupWeights weights(c, bounds);
-  const auto x =
-    SetUpBox(c, 0, tile.Left, tile.FirstX, tile.LastX, group.Left + lane, group.Width + lane);
-  const auto y =
-    SetUpBox(c, 1, tile.Bottom, tile.FirstY, tile.LastY, group.Bottom + lane, group.Height + lane);
+  const auto x = SetUpBox(c, 0, tile.Left, tile.FirstX, tile.LastX, group.Left + at, group.Width + at);
+  const auto y = SetUpBox(c, 1, tile.Bottom, tile.FirstY, tile.LastY, group.Bottom + at, group.Height + at);
   const auto dx = hn::Sub(x, c.Corner[0][0]), dy = hn::Sub(y, c.Corner[0][1]);
-  const auto tooSteep = SetUpPlanes(c, weights, dx, dy, bounds, steps, lane, group);
-  const auto tooFast = SetUpScalar(c, weights, dx, dy, bounds, lane, group);
+  const auto tooSteep = SetUpPlanes(c, weights, dx, dy, bounds, batch.Steps + lane, at, group);
+  const auto tooFast = SetUpScalar(c, weights, dx, dy, bounds, at, group);
   const auto exact = hn::RebindMask(di, hn::Or(tooSteep, tooFast));
-  hn::Store(hn::IfThenElse(exact, hn::Set(di, 1), hn::Load(di, group.Exact + lane)), di, group.Exact + lane);
-  CutTransparent(task, c, lane, group);
-  task.Transfer->HasTransparent ? FindSpans<7>(group, lane) : FindSpans<3>(group, lane);
+  hn::Store(hn::IfThenElse(exact, hn::Set(di, 1), hn::Load(di, group.Exact + at)), di, group.Exact + at);
+  CutTransparent(task, c, at, group);
+  task.Transfer->HasTransparent ? FindSpans<7>(group, at) : FindSpans<3>(group, at);
 }
 
 inline void SetUpGroup(const TileTask& task, const TileRectangle& tile, const SetupBounds& bounds,
   const int* cells, int count, TileGroup& group)
 {
-  TileRecords records;
-  int ids[TileGroup::Size];
-  HWY_ALIGN int steps[TileGroup::Size];
-  const int allExact = task.AllExact ? 1 : 0;
-  for (int k = 0; k < TileGroup::Size; ++k)
+  for (int first = 0; first < count; first += TileGroup::Batch)
   {
-    ids[k] = cells[std::min(k, count - 1)];
-    steps[k] = task.Mesh->Steps[ids[k]];
-    group.Exact[k] = allExact | (task.Cells->Faces[ids[k]] & TileCells::Exact);
-  }
-  records.Gather(task.Mesh->Corners.data(), task.Vertices->Values.data(), ids);
-  HWY_ALIGN float cellScalars[TileGroup::Size];
-  const bool hasCellScalars = !task.Mesh->CellScalars.empty();
-  for (int k = 0; hasCellScalars && k < TileGroup::Size; ++k)
-  {
-    cellScalars[k] = task.Mesh->CellScalars[ids[k]];
-  }
-  for (int lane = 0; lane < TileGroup::Size; lane += static_cast<int>(hn::Lanes(SetupFloat())))
-  {
-    SetUpLanes(
-      task, records, lane, tile, bounds, steps, hasCellScalars ? cellScalars : nullptr, group);
+    const SetupBatch batch(task, cells + first, count - first, group.Exact + first);
+    for (int lane = 0; lane < TileGroup::Batch; lane += static_cast<int>(hn::Lanes(SetupFloat())))
+    {
+      SetUpLanes(task, batch, lane, tile, bounds, first + lane, group);
+    }
   }
 }
 }

@@ -25,7 +25,7 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using SpanFloat = hn::CappedTag<float, TileGroup::Size>;
+using SpanFloat = hn::CappedTag<float, TileGroup::Batch>;
 using SpanInt = hn::RebindToSigned<SpanFloat>;
 using SpanVector = hn::Vec<SpanFloat>;
 using SpanMask = hn::Mask<SpanFloat>;
