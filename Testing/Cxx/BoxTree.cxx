@@ -9,14 +9,14 @@
 namespace
 {
 // Slabs, widened so that rounding loses nothing.
-bool Meets(const BoxTree::Box& box, const double origin[3], const double direction[3])
+bool Meets(const BoxTree::Box& box, const double origin[3], const double inverse[3])
 {
   double first = -std::numeric_limits<double>::infinity(), last = -first;
   for (int i = 0; i < 3; ++i)
   {
     const double low = box.Low[i] - origin[i], high = box.High[i] - origin[i];
     const double slack = 1e-12 * (std::abs(low) + std::abs(high));
-    if (direction[i] == 0.0)
+    if (std::isinf(inverse[i]))
     {
       if (low - slack > 0.0 || high + slack < 0.0)
       {
@@ -24,7 +24,7 @@ bool Meets(const BoxTree::Box& box, const double origin[3], const double directi
       }
       continue;
     }
-    const double a = (low - slack) / direction[i], b = (high + slack) / direction[i];
+    const double a = (low - slack) * inverse[i], b = (high + slack) * inverse[i];
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
@@ -66,7 +66,7 @@ void BoxTree::Build(const std::vector<Box>& boxes, int begin, int end)
   const std::size_t self = this->Nodes.size();
   const Box bounds = this->BoundsOf(boxes, begin, end);
   this->Nodes.push_back({ bounds, begin, end, 0 });
-  if (end - begin <= 4)
+  if (end - begin == 1)
   {
     return;
   }
@@ -90,6 +90,7 @@ void BoxTree::Build(const std::vector<Box>& boxes, int begin, int end)
 void BoxTree::ForEachNear(
   const double origin[3], const double direction[3], const std::function<void(int)>& found) const
 {
+  const double inverse[3] = { 1.0 / direction[0], 1.0 / direction[1], 1.0 / direction[2] };
   std::vector<int> open;
   if (!this->Nodes.empty())
   {
@@ -100,7 +101,7 @@ void BoxTree::ForEachNear(
     const int at = open.back();
     const Node& node = this->Nodes[at];
     open.pop_back();
-    if (!Meets(node.Bounds, origin, direction))
+    if (!Meets(node.Bounds, origin, inverse))
     {
       continue;
     }

@@ -1,6 +1,7 @@
 #ifndef BoxTree_h
 #define BoxTree_h
 
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -10,8 +11,27 @@ class BoxTree
 public:
   struct Box
   {
-    double Low[3];
-    double High[3];
+    double Low[3] = { 1e300, 1e300, 1e300 };
+    double High[3] = { -1e300, -1e300, -1e300 };
+
+    void Add(const double point[3])
+    {
+      for (int i = 0; i < 3; ++i)
+      {
+        this->Low[i] = std::min(this->Low[i], point[i]);
+        this->High[i] = std::max(this->High[i], point[i]);
+      }
+    }
+    /// Whether they share more than their sides.
+    bool Overlaps(const Box& other) const
+    {
+      bool overlaps = true;
+      for (int i = 0; i < 3; ++i)
+      {
+        overlaps = overlaps && this->Low[i] < other.High[i] && other.Low[i] < this->High[i];
+      }
+      return overlaps;
+    }
   };
 
   explicit BoxTree(const std::vector<Box>& boxes);

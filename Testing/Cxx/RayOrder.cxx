@@ -1,8 +1,8 @@
 #include "RayOrder.h"
 
+#include "EdgeThrough.h"
 #include "vtkCell.h"
 #include "vtkIdList.h"
-#include "vtkMath.h"
 #include "vtkUnstructuredGrid.h"
 
 #include <algorithm>
@@ -118,37 +118,32 @@ void RayOrder::AddFace(const std::vector<vtkIdType>& corners)
 //------------------------------------------------------------------------------
 void RayOrder::MakeTree()
 {
-  std::vector<BoxTree::Box> boxes;
-  BoxTree::Box all = { { 1e300, 1e300, 1e300 }, { -1e300, -1e300, -1e300 } };
+  BoxTree::Box all;
   for (std::size_t cell = 0; cell < this->CellIds.size(); ++cell)
   {
-    BoxTree::Box box = { { 1e300, 1e300, 1e300 }, { -1e300, -1e300, -1e300 } };
+    BoxTree::Box box;
     for (int at = this->Offsets[cell]; at < this->Offsets[cell + 1]; ++at)
     {
       for (const vtkIdType id : this->Triangles[at])
       {
-        for (int i = 0; i < 3; ++i)
-        {
-          box.Low[i] = std::min(box.Low[i], this->Points[id][i]);
-          box.High[i] = std::max(box.High[i], this->Points[id][i]);
-          all.Low[i] = std::min(all.Low[i], box.Low[i]);
-          all.High[i] = std::max(all.High[i], box.High[i]);
-        }
+        box.Add(this->Points[id].data());
+        all.Add(this->Points[id].data());
       }
     }
-    boxes.push_back(box);
+    this->Boxes.push_back(box);
   }
   this->Diagonal = std::hypot(
     std::hypot(all.High[0] - all.Low[0], all.High[1] - all.Low[1]), all.High[2] - all.Low[2]);
-  this->Tree = std::make_unique<BoxTree>(boxes);
+  this->Tree = std::make_unique<BoxTree>(this->Boxes);
 }
 
 //------------------------------------------------------------------------------
 RayOrder::Point RayOrder::RandomPointIn(int cell, unsigned int seed) const
 {
   // Between two points of its faces: a mean of all corners would stay near the middle. A little
-  // inwards: a ray within the plane of a face meets cells by the whim of rounding.
-  std::mt19937 random(seed);
+  // inwards: a ray within the plane of a face meets cells by the whim of rounding. Of random numbers
+  // those with little to set up, as every ray does.
+  std::minstd_rand random(seed);
   std::exponential_distribution<double> weight;
   const int begin = this->Offsets[cell], count = this->Offsets[cell + 1] - begin;
   double weights[6];
@@ -246,37 +241,6 @@ int RayOrder::CountOverlaps(const std::vector<Segment>& segments) const
 }
 
 //------------------------------------------------------------------------------
-bool RayOrder::IsThrough(
-  const Point& from, const Point& to, const std::array<vtkIdType, 3>& triangle) const
-{
-  // The line meets the triangle where it passes all three edges on the same side, and well so: the
-  // volumes are compared with those of the same lengths at right angles.
-  double edges[3][3], along[3];
-  vtkMath::Subtract(to.data(), from.data(), along);
-  int positive = 0, negative = 0;
-  for (int i = 0; i < 3; ++i)
-  {
-    const Point& a = this->Points[triangle[i]];
-    vtkMath::Subtract(this->Points[triangle[(i + 1) % 3]].data(), a.data(), edges[i]);
-    double toCorner[3], cross[3];
-    vtkMath::Subtract(a.data(), from.data(), toCorner);
-    vtkMath::Cross(edges[i], toCorner, cross);
-    const double side = vtkMath::Dot(cross, along);
-    const double bound = Slack * this->Diagonal * vtkMath::Norm(edges[i]) * vtkMath::Norm(along);
-    positive += side > bound ? 1 : 0;
-    negative += side < -bound ? 1 : 0;
-  }
-  double normal[3], relative[3];
-  vtkMath::Cross(edges[0], edges[1], normal);
-  const double bound = Slack * this->Diagonal * vtkMath::Norm(normal);
-  vtkMath::Subtract(from.data(), this->Points[triangle[0]].data(), relative);
-  const double atFrom = vtkMath::Dot(normal, relative);
-  const double atTo = atFrom + vtkMath::Dot(normal, along);
-  return (positive == 3 || negative == 3) && std::min(atFrom, atTo) < -bound &&
-         std::max(atFrom, atTo) > bound;
-}
-
-//------------------------------------------------------------------------------
 bool RayOrder::HasEdgeThrough(vtkIdType a, vtkIdType b) const
 {
   const auto placeOf = [this](vtkIdType id)
@@ -284,6 +248,10 @@ bool RayOrder::HasEdgeThrough(vtkIdType a, vtkIdType b) const
     return std::lower_bound(this->CellIds.begin(), this->CellIds.end(), id) - this->CellIds.begin();
   };
   const auto cellA = placeOf(a), cellB = placeOf(b);
+  if (!this->Boxes[cellA].Overlaps(this->Boxes[cellB]))
+  {
+    return false;
+  }
   for (int at = 3 * this->Offsets[cellA]; at < 3 * this->Offsets[cellA + 1]; ++at)
   {
     const auto& own = this->Triangles[at / 3];
@@ -291,7 +259,10 @@ bool RayOrder::HasEdgeThrough(vtkIdType a, vtkIdType b) const
     const Point& to = this->Points[own[(at + 1) % 3]];
     for (int other = this->Offsets[cellB]; other < this->Offsets[cellB + 1]; ++other)
     {
-      if (this->IsThrough(from, to, this->Triangles[other]))
+      const auto& corners = this->Triangles[other];
+      const EdgeThrough::Triangle triangle = { { this->Points[corners[0]].data(),
+        this->Points[corners[1]].data(), this->Points[corners[2]].data() } };
+      if (EdgeThrough::Runs(from.data(), to.data(), triangle, Slack * this->Diagonal))
       {
         return true;
       }
@@ -329,9 +300,7 @@ void RayOrder::Compare(const std::vector<Segment>& segments, const std::vector<v
       {
         continue;
       }
-      const bool exempt =
-        !groups.empty() && groups[near.Cell] >= 0 && groups[near.Cell] == groups[far.Cell];
-      if (exempt)
+      if (!groups.empty() && groups[near.Cell] >= 0 && groups[near.Cell] == groups[far.Cell])
       {
         continue;
       }

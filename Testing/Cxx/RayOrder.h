@@ -64,8 +64,6 @@ private:
   /// Whether an edge of one cell runs through a triangle of the other, beyond rounding.
   bool DoCross(vtkIdType a, vtkIdType b) const;
   bool HasEdgeThrough(vtkIdType a, vtkIdType b) const;
-  bool IsThrough(
-    const Point& from, const Point& to, const std::array<vtkIdType, 3>& triangle) const;
   int CountOverlaps(const std::vector<Segment>& segments) const;
   void Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
     const std::vector<int>& groups, Result& result) const;
@@ -76,6 +74,7 @@ private:
   std::vector<std::array<vtkIdType, 3>> Triangles;
   std::vector<int> Offsets;
   std::vector<vtkIdType> CellIds;
+  std::vector<BoxTree::Box> Boxes;
   vtkIdType NumberOfCells = 0;
   double Diagonal = 0.0;
   std::unique_ptr<BoxTree> Tree;
