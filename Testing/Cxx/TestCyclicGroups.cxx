@@ -62,7 +62,7 @@ void CheckClipped(TestChecks& checks, TestScene& scene, const std::string& name)
 
 void CheckMesh(TestChecks& checks, vtkUnstructuredGrid* grid, const std::string& name)
 {
-  TestScene scene;
+  TestScene scene(64, 64);
   vtkNew<GroupSort> sort;
   scene.GetTetrahedraMapper()->SetVisibilitySort(sort);
   scene.SetGrid(grid);

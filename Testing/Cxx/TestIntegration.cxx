@@ -48,7 +48,7 @@ void CheckSegments(TestChecks& checks)
 
 void CheckPictures(TestChecks& checks, bool spiky)
 {
-  TestScene scene;
+  TestScene scene(64, 64);
   auto* mapper = scene.GetTetrahedraMapper();
   auto grid = TestMeshes::Delaunay(200);
   TestMeshes::SetField(grid, TestMeshes::Waves);

@@ -123,7 +123,7 @@ vtkIdType CheckMesh(TestChecks& checks, const Grid& grid, const std::string& nam
 {
   const double eyes[5][3] = { { 0.5, 0.8, 2.2 }, { -1.4, 0.3, -0.9 }, { 2.5, 0.0, 1.0 },
     { 0.0, 0.0, 2.5 }, { 0.3, -0.35, 0.3 } };
-  TestScene scene;
+  TestScene scene(64, 64);
   scene.GetTetrahedraMapper()->SetVisibilitySort(nullptr);
   scene.GetTetrahedraMapper()->ReportOrderOn();
   scene.SetGrid(Cut(grid));

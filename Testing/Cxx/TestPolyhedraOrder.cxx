@@ -37,7 +37,7 @@ Grid WithShuffledCells(vtkUnstructuredGrid* grid, unsigned int seed)
 
 void CheckMesh(TestChecks& checks, const std::string& mesh, const PolyhedraMappers::Entry& mapper)
 {
-  PolyhedraScene scene(mapper.Make(), 96, 96);
+  PolyhedraScene scene(mapper.Make(), 64, 64);
   Grid grid = SortMeshes::Make(mesh);
   PolyhedraMeshes::FitUnitCube(grid);
   PolyhedraMeshes::SetWaves(grid);

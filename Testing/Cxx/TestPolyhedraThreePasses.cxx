@@ -63,7 +63,7 @@ void CheckTrapezoidRule(TestChecks& checks, int passes)
 {
   for (const int cells : { 1, 2, 4, 8, 16 })
   {
-    PolyhedraScene scene(MakeMapper(passes, true));
+    PolyhedraScene scene(MakeMapper(passes, true), 32, 32);
     const double size[3] = { 1.0, 1.0, 1.0 };
     const int counts[3] = { cells, 3, 3 };
     auto slab = TestMeshes::Slab(size, counts);
