@@ -28,10 +28,12 @@ using ColorFloat = hn::CappedTag<float, 16>;
 /// The slot of a fragment.
 HWY_INLINE int ColorSlot(int fragment)
 {
-  const int lanes = static_cast<int>(hn::Lanes(ColorFloat()));
-  const int blocks = lanes < 4 ? lanes : lanes / 4;
-  const int lane = fragment % lanes;
-  return lanes < 4 ? fragment : fragment - lane + lane % 4 * blocks + lane / 4;
+  // Without signs no division is left.
+  constexpr auto lanes = static_cast<unsigned int>(hn::MaxLanes(ColorFloat()));
+  constexpr unsigned int blocks = lanes < 4 ? lanes : lanes / 4;
+  const unsigned int lane = static_cast<unsigned int>(fragment) % lanes;
+  const unsigned int slot = lane % 4 * blocks + lane / 4;
+  return lanes < 4 ? fragment : fragment - static_cast<int>(lane) + static_cast<int>(slot);
 }
 
 /// Stores the colours of a vector of fragments from `at` on.

@@ -28,9 +28,46 @@ namespace HWY_NAMESPACE
 namespace hn = hwy::HWY_NAMESPACE;
 
 /// Of the cosine of the angle to a light, times the optical depth: what may pass unseen.
-constexpr float LeastKink = 5e-3f;
+constexpr float LeastKink = 2e-3f;
 /// The tangent of the angle that the gradient turns by in a piece of any depth, at most.
 constexpr float GreatestTurn = 0.8f;
+/// As many cuts of a fragment are for light and gradient opacity.
+constexpr int MostBends = 256;
+
+/// The tangent of the angle that the gradient may turn by: what is wrong then is much the same for any optical depth.
+HWY_INLINE ShadeVector LimitTurn(ShadeVector depth, float turn, float greatest)
+{
+  const ShadeFloat d;
+  const auto root = hn::ApproximateReciprocalSqrt(hn::Max(depth, hn::Set(d, 1e-6f)));
+  const auto fourth = hn::Mul(root, hn::ApproximateReciprocalSqrt(root));
+  return hn::Min(hn::Mul(fourth, hn::Set(d, turn)), hn::Set(d, greatest));
+}
+
+/// The share of a piece, `end` at most, up to which a gradient turns by an angle of a tangent: it moves along a line
+/// that passes zero at a distance. `squares`: as LitCourse has them.
+HWY_INLINE ShadeVector TurnsUpTo(const ShadeVector (&squares)[3], ShadeVector tangent, ShadeVector end)
+{
+  const ShadeFloat d;
+  const auto ahead = hn::MulAdd(end, squares[1], squares[0]);
+  const auto room = hn::Mul(tangent, ahead);
+  const auto crossed = hn::MulSub(squares[0], squares[2], hn::Mul(squares[1], squares[1]));
+  const auto sideways = hn::Mul(hn::Mul(end, end), crossed);
+  const auto small = hn::Le(sideways, hn::Mul(room, room));
+  const auto straight = hn::And(hn::Lt(hn::Zero(d), ahead), small);
+  const auto turns = hn::AndNot(straight, hn::Lt(hn::Zero(d), squares[2]));
+  if (hn::AllFalse(d, turns))
+  {
+    return end;
+  }
+  const auto inverse = hn::Div(hn::Set(d, 1.0f), squares[2]);
+  const auto from = hn::Mul(squares[1], inverse);
+  const auto radius = hn::Mul(hn::Sqrt(hn::Max(crossed, hn::Zero(d))), inverse);
+  const auto left = hn::NegMulAdd(from, tangent, radius);
+  const auto reached = hn::Mul(radius, hn::MulAdd(radius, tangent, from));
+  auto share = hn::Sub(hn::Div(reached, left), from);
+  share = hn::IfThenElse(hn::Lt(hn::Zero(d), left), hn::Max(share, hn::Set(d, 1e-4f)), end);
+  return hn::IfThenElse(turns, hn::Min(share, end), end);
+}
 
 /// base ^ power for a base of at least 0; whole powers, the usual ones, by squaring.
 HWY_INLINE ShadeVector Power(ShadeVector base, float power)
@@ -207,36 +244,11 @@ private:
     s.Seen = Dot(p.ToEye, way);
   }
 
-  /// Where the gradient has turned by the greatest angle: it moves along a line that passes zero at
-  /// a distance.
+  /// Where the gradient has turned by the greatest angle.
   HWY_INLINE ShadeVector FindTurn(const LitCourse& c, ShadeVector end, ShadeVector depth) const
   {
-    const ShadeFloat d;
-    const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(
-      hn::ApproximateReciprocalSqrt(hn::Min(hn::Max(depth, hn::Set(d, 1e-6f)), hn::Set(d, 1.0f)))));
-    // Errors of many thin pieces cancel out: with the eighth root of their depth.
-    const auto greatest =
-      hn::Min(hn::Mul(root, hn::Set(d, this->Lighting.GreatestTurn)), hn::Set(d, GreatestTurn));
-    const auto ahead = hn::MulAdd(end, c.Squares[1], c.Squares[0]);
-    const auto room = hn::Mul(greatest, ahead);
-    const auto crossed =
-      hn::MulSub(c.Squares[0], c.Squares[2], hn::Mul(c.Squares[1], c.Squares[1]));
-    const auto sideways = hn::Mul(hn::Mul(end, end), crossed);
-    const auto small = hn::Le(sideways, hn::Mul(room, room));
-    const auto straight = hn::And(hn::Lt(hn::Zero(d), ahead), small);
-    const auto turns = hn::AndNot(straight, hn::Lt(hn::Zero(d), c.Squares[2]));
-    if (hn::AllFalse(d, turns))
-    {
-      return end;
-    }
-    const auto inverse = hn::Div(hn::Set(d, 1.0f), c.Squares[2]);
-    const auto from = hn::Mul(c.Squares[1], inverse);
-    const auto radius = hn::Mul(hn::Sqrt(hn::Max(crossed, hn::Zero(d))), inverse);
-    const auto left = hn::NegMulAdd(from, greatest, radius);
-    const auto reached = hn::Mul(radius, hn::MulAdd(radius, greatest, from));
-    auto share = hn::Sub(hn::Div(reached, left), from);
-    share = hn::IfThenElse(hn::Lt(hn::Zero(d), left), hn::Max(share, hn::Set(d, 1e-4f)), end);
-    return hn::IfThenElse(turns, hn::Min(share, end), end);
+    const auto greatest = LimitTurn(depth, this->Lighting.GreatestTurn, GreatestTurn);
+    return TurnsUpTo(c.Squares, greatest, end);
   }
 
   /// Where the mirror image of a light passes from behind the eye before it.

@@ -174,5 +174,5 @@ void TileLighting::SetGreatestTurn()
 {
   // Two nodes leave the fourth derivative, which of a highlight grows with the power's square.
   const float sharpness = std::sqrt(std::sqrt(this->Specular) * this->Power);
-  this->GreatestTurn = 0.5f / std::max(sharpness, 1.25f);
+  this->GreatestTurn = 0.25f / std::max(sharpness, 1.25f);
 }

@@ -58,7 +58,7 @@ public:
   bool IsGrey = true;
   /** Whether a light has a highlight, and one that begins with an edge. */
   bool HasHighlight = false, HasGlance = false;
-  /** The tangent of the angle that the gradient may turn by in one piece. */
+  /** The tangent of the angle that the gradient may turn by in one piece of an optical depth of 1. */
   float GreatestTurn = 1.0f;
 
   bool HasOpacity = false;

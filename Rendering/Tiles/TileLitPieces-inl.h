@@ -54,7 +54,8 @@ struct LitPart
   hn::Mask<ShadeFloat> AtNode, Open;
 };
 
-HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, LitNeeds needs, LitPieces& p)
+/// Of `count` pieces the vector from `at` on.
+HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, int count, LitNeeds needs, LitPieces& p)
 {
   const ShadeFloat d;
   const ShadeInt di;
@@ -78,7 +79,7 @@ HWY_INLINE void LoadPieces(const TileLitPieces& from, int at, LitNeeds needs, Li
     }
   }
   // Beyond the count there is what was there before.
-  const auto used = hn::FirstN(di, static_cast<std::size_t>(from.Count - at));
+  const auto used = hn::FirstN(di, static_cast<std::size_t>(count - at));
   p.Piece = hn::IfThenElseZero(used, hn::Load(di, from.Piece + at));
   p.Fragment = hn::Load(di, from.Fragment + at);
   p.Pixel = hn::Load(di, from.Pixel + at);

@@ -28,9 +28,6 @@ namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// As many cuts of a fragment are for light and gradient opacity.
-constexpr int MostBends = 256;
-
 /// A vector of pieces on its way through the steps.
 struct LitWork
 {
@@ -61,14 +58,14 @@ public:
 
   TileShadeCount Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
   {
-    int waiting = 0;
+    TileShadeCount more;
     TileShadeCount sum = ShadeInPasses(
       fragments.Count, remainders,
-      [&](TileLitPieces& rest) { waiting = this->ShadeFirstPieces(fragments, rest); },
+      [&](TileLitPieces& rest) { more = this->ShadeFirstPieces(fragments, rest, remainders[1]); },
       [&](int pass, const TileLitPieces& now, TileLitPieces& next)
       { this->ShadeRemainders(fragments, pass, now, next); });
-    // They were counted with all others.
-    sum.Pieces -= waiting;
+    sum.Pieces += more.Pieces;
+    sum.Lanes += more.Lanes;
     return sum;
   }
 
@@ -209,33 +206,38 @@ private:
   }
 
   /// Where light allows it fragments are coloured at once but for those that wait as a whole, else by
-  /// parts; returns how many wait.
-  int ShadeFirstPieces(TileFragments& q, TileLitPieces& rest) const
+  /// parts; returns how much more this shades than a piece of each fragment. `steep`: for those in between.
+  TileShadeCount ShadeFirstPieces(TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
   {
     const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
     q.FillLastVector();
     if (!General && this->Task.Lighting->AllowsThin)
     {
-      ThinHeadlight::Suits(*this->Task.Lighting) ? this->ColorThin<ThinHeadlight>(q, rest)
-                                                 : this->ColorThin<ThinLights>(q, rest);
-      return rest.Count;
+      return ThinHeadlight::Suits(*this->Task.Lighting) ? this->ColorThin<ThinHeadlight>(q, rest, steep)
+                                                        : this->ColorThin<ThinLights>(q, rest, steep);
     }
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
       this->ShadeByParts(begin, std::min(Batch, (q.Count - begin + lanes - 1) / lanes), q, rest);
     }
-    return 0;
+    return {};
   }
 
   template <class Lights>
-  HWY_NOINLINE void ColorThin(TileFragments& q, TileLitPieces& rest) const
+  HWY_NOINLINE TileShadeCount ColorThin(TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     ThinLight<Lights> thin(this->Task, this->Tile);
+    steep.Count = 0;
     for (int at = 0; at < q.Count; at += ThinLight<Lights>::Batch * lanes)
     {
-      thin.Color(this->Values, at, q, rest);
+      thin.Color(this->Values, at, q, rest, steep);
     }
+    TileShadeCount more;
+    thin.ColorSteep(this->Values, q, steep, more);
+    // They were counted with all others.
+    more.Pieces -= rest.Count;
+    return more;
   }
 
   /// Shades the first parts of `count` vectors from `begin` on.
@@ -310,7 +312,7 @@ private:
       {
         const int at = begin + i * lanes;
         LitPieces& piece = work[i].Piece;
-        LoadPieces(now, at, { this->Light.HasPosition(), this->Kind.HasColors() }, piece);
+        LoadPieces(now, at, now.Count, { this->Light.HasPosition(), this->Kind.HasColors() }, piece);
         this->Light.FindToEye(piece.Pixel, piece.ToEye);
         work[i].Used = hn::FirstN(d, static_cast<std::size_t>(now.Count - at));
       }

@@ -45,6 +45,19 @@ struct GreySum
   ShadeVector Scalar, Factor, Highlight;
 };
 
+/// The colours of a piece's part: they are linear in the scalar, and follow from the sums.
+template <class LookUp>
+HWY_INLINE void ColorGrey(const LookUp& values, const TileTransfer& transfer, const LitPieces& p, const GreySum& sum,
+  ShadeVector (&color)[4])
+{
+  for (int k = 0; k < 3; ++k)
+  {
+    const auto slope = values(transfer.Slopes[k].data(), p.Piece);
+    const auto first = hn::MulAdd(slope, p.First, values(transfer.Offsets[k].data(), p.Piece));
+    color[k] = hn::MulAdd(slope, sum.Scalar, hn::MulAdd(first, sum.Factor, sum.Highlight));
+  }
+}
+
 /// Two places along a part of a piece, and the shares of its alpha that stand for them.
 struct LitNodes
 {
@@ -106,7 +119,7 @@ public:
       GreySum sum{ hn::Zero(d), hn::Zero(d), hn::Zero(d) };
       this->AddGrey(p, light, part, nodes.First, nodes.Before, sum);
       this->AddGrey(p, light, part, nodes.Second, nodes.Behind, sum);
-      this->ColorGrey(values, p, sum, color);
+      ColorGrey(values, this->Transfer, p, sum, color);
     }
     else
     {
@@ -200,19 +213,6 @@ private:
     sum.Scalar = hn::MulAdd(factor, scalar, sum.Scalar);
     sum.Factor = hn::Add(sum.Factor, factor);
     sum.Highlight = hn::MulAdd(weight, lit.Highlight[0], sum.Highlight);
-  }
-
-  template <class LookUp>
-  HWY_INLINE void ColorGrey(const LookUp& values, const LitPieces& p, const GreySum& sum, ShadeVector (&color)[4]) const
-  {
-    for (int k = 0; k < 3; ++k)
-    {
-      const auto slope = values(this->Transfer.Slopes[k].data(), p.Piece);
-      const auto first =
-        hn::MulAdd(slope, p.First, values(this->Transfer.Offsets[k].data(), p.Piece));
-      color[k] =
-        hn::MulAdd(slope, sum.Scalar, hn::MulAdd(first, sum.Factor, sum.Highlight));
-    }
   }
 
   const TileTransfer& Transfer;

@@ -250,14 +250,16 @@ struct FragmentEnds
 HWY_INLINE void AddColors(
   const ShadeVector (&color)[4], const int* fragments, int count, TileFragments& q)
 {
+  const hn::CappedTag<float, 4> record;
   HWY_ALIGN float colors[16][4];
   hn::StoreInterleaved4(color[0], color[1], color[2], color[3], ShadeFloat(), colors[0]);
   for (int k = 0; k < count; ++k)
   {
     float* target = q.Slots[ColorSlot(fragments[k])];
-    for (int i = 0; i < 4; ++i)
+    for (std::size_t i = 0; i < 4; i += hn::Lanes(record))
     {
-      target[i] += colors[k][i];
+      const auto sum = hn::Add(hn::Load(record, target + i), hn::Load(record, colors[k] + i));
+      hn::Store(sum, record, target + i);
     }
   }
 }

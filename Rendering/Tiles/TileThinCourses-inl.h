@@ -79,11 +79,11 @@ public:
     }
   }
 
-  /// Of the vector of fragments from `at` on: all that goes before the optical depth.
-  HWY_INLINE void Find(const TileFragments& q, int at, ThinCourse& c) const
+  /// The pixels' places and the way from there to the eye; returns that way's square.
+  HWY_INLINE ShadeVector FindEye(ShadeIndex pixel, ThinCourse& c) const
   {
     const ShadeFloat d;
-    const PixelPlaces places(hn::Load(ShadeInt(), q.Pixel + at));
+    const PixelPlaces places(pixel);
     c.X = places.X;
     c.Y = places.Y;
     c.EyeX = hn::MulAdd(this->EyePerPixel[0], c.X, this->EyeStart[0]);
@@ -91,6 +91,14 @@ public:
     const auto square =
       hn::MulAdd(c.EyeX, c.EyeX, hn::MulAdd(c.EyeY, c.EyeY, hn::Set(d, 1.0f)));
     c.PerEye = TwiceInverseRoot(d, square);
+    return square;
+  }
+
+  /// Of the vector of fragments from `at` on: all that goes before the optical depth.
+  HWY_INLINE void Find(const TileFragments& q, int at, ThinCourse& c) const
+  {
+    const ShadeFloat d;
+    const auto square = this->FindEye(hn::Load(ShadeInt(), q.Pixel + at), c);
     const auto way = hn::Mul(hn::Mul(square, c.PerEye), this->HalfLengthPerWay);
     const ThinEnds ends = this->FindEnds(q, at);
     c.Length = hn::Mul(hn::Mul(ends.Extent, ends.Inverse), way);
@@ -159,7 +167,7 @@ public:
     const auto squares = hn::Add(g.Square[0], g.Square[1]);
     const auto ahead = hn::NegMulAdd(squares, this->HalfTurn, hn::Mul(g.Product, this->TwiceTurn));
     const auto deep = hn::Max(depth, this->LeastDepth);
-    const auto root = hn::ApproximateReciprocalSqrt(hn::ApproximateReciprocalSqrt(deep));
+    const auto root = hn::Mul(deep, hn::ApproximateReciprocalSqrt(deep));
     // Less, not at most: near the eye both may be infinite.
     return hn::Lt(hn::Mul(crossed, root), hn::Mul(ahead, hn::Abs(ahead)));
   }
@@ -192,8 +200,7 @@ private:
 
   static float FindLeastDepth(float share)
   {
-    const float fourth = share * share * share * share;
-    return fourth * fourth;
+    return share * share * share * share;
   }
 
   HWY_INLINE ThinEnds FindEnds(const TileFragments& q, int at) const

@@ -4,7 +4,7 @@
  *
  * Then nothing is cut, and light is looked at in two fixed places (ThinNodes). Only of grey
  * directional light in scenes with TileLighting::AllowsThin. Fragments that do not fit wait, each
- * alone, to be shaded as what is left of others is.
+ * alone, to be shaded as what is left of others is; where only light changes too much, by class SteepLight.
  */
 #if defined(TileThinLight_inl_h) == defined(HWY_TARGET_TOGGLE)
 #ifdef TileThinLight_inl_h
@@ -18,14 +18,16 @@
 #include "TileLitPieces-inl.h"
 #include "TileMath-inl.h"
 #include "TilePieces-inl.h"
+#include "TileSteepLight-inl.h"
 #include "TileTask.h"
 #include "TileThinCourses-inl.h"
+#include "TileThinShine-inl.h"
 #include "TileTransfer.h"
 
 #include <hwy/highway.h>
 
 #include <algorithm>
-#include <cmath>
+#include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
 namespace CellProjectionTiles
@@ -33,175 +35,6 @@ namespace CellProjectionTiles
 namespace HWY_NAMESPACE
 {
 namespace hn = hwy::HWY_NAMESPACE;
-
-/// Sums over the lights at the two places.
-struct ThinShine
-{
-  ShadeVector Factor[2], Highlight[2];
-  ShadeMask StaysBefore; // no light is passed from one side to the other
-};
-
-/// To a power that is whole and at least 2.
-HWY_INLINE void Raise(int power, ShadeVector (&bases)[2])
-{
-  int left = power;
-  for (; (left & 1) == 0; left >>= 1)
-  {
-    bases[0] = hn::Mul(bases[0], bases[0]);
-    bases[1] = hn::Mul(bases[1], bases[1]);
-  }
-  ShadeVector powers[2] = { bases[0], bases[1] };
-  while ((left >>= 1) != 0)
-  {
-    powers[0] = hn::Mul(powers[0], powers[0]);
-    powers[1] = hn::Mul(powers[1], powers[1]);
-    if (left & 1)
-    {
-      bases[0] = hn::Mul(bases[0], powers[0]);
-      bases[1] = hn::Mul(bases[1], powers[1]);
-    }
-  }
-}
-
-/// What all lights need of the gradients: roots are taken twice as great, see TwiceInverseRoot.
-struct ThinSights
-{
-  ShadeVector Inverse[2], Seen[2];
-  ShadeVector PerEye, Depth;
-
-  HWY_INLINE ThinSights(const ThinCourse& c, const ThinGradients& g, ShadeVector scale)
-    : PerEye(hn::Mul(c.PerEye, scale))
-    , Depth(c.Depth)
-  {
-    for (int i = 0; i < 2; ++i)
-    {
-      this->Inverse[i] = TwiceInverseRoot(ShadeFloat(), g.Square[i]);
-      const auto toEye = hn::MulAdd(c.EyeX, g.At[i][0], hn::MulAdd(c.EyeY, g.At[i][1], g.At[i][2]));
-      this->Seen[i] = hn::Mul(toEye, this->Inverse[i]);
-    }
-  }
-
-  /// Whether both ends are on the same side, or what turns away is too little to be seen.
-  HWY_INLINE ShadeMask StayBefore(const ShadeVector (&cosine)[2]) const
-  {
-    const ShadeFloat d;
-    const auto apart = hn::Abs(hn::Sub(cosine[0], cosine[1]));
-    const auto turned = hn::Mul(apart, hn::Set(d, 1.73205081f));
-    const auto beyond = hn::Sub(turned, hn::Abs(hn::Add(cosine[0], cosine[1])));
-    const auto seen = hn::MulSub(turned, this->Depth, hn::Set(d, 2.0f * LeastKink));
-    return hn::Le(hn::Min(beyond, seen), hn::Zero(d));
-  }
-
-  /// Bases of highlights.
-  HWY_INLINE void Mirror(const ShadeVector (&cosine)[2], ShadeVector toLight, ShadeVector (&mirrored)[2]) const
-  {
-    const ShadeFloat d;
-    for (int i = 0; i < 2; ++i)
-    {
-      const auto above = hn::Max(hn::MulSub(cosine[i], this->Seen[i], toLight), hn::Zero(d));
-      mirrored[i] = hn::Mul(above, this->PerEye);
-    }
-  }
-};
-
-/// One light along the view, with a highlight.
-class ThinHeadlight
-{
-public:
-  explicit ThinHeadlight(const TileLighting& lighting)
-    : Power(static_cast<int>(lighting.Power))
-    , Ambient(Spread(0.5f * lighting.Ambient[0]))
-    , Diffuse(Spread(0.25f * lighting.Lights[0].Diffuse[0]))
-    , Scale(Spread(0.25f * std::pow(0.5f * lighting.Lights[0].Specular[0], 1.0f / lighting.Power)))
-    , ToLight(Spread(2.0f * lighting.Lights[0].Towards[2]))
-  {
-  }
-
-  static bool Suits(const TileLighting& lighting)
-  {
-    return lighting.Lights.size() == 1 && lighting.Lights[0].IsAlongView && lighting.Lights[0].Specular[0] > 0.0f;
-  }
-
-  HWY_INLINE void Shine(const ThinCourse& c, const ThinGradients& g, ThinShine& shine) const
-  {
-    const ThinSights sights(c, g, this->Scale);
-    const ShadeVector cosine[2] = { hn::Mul(g.At[0][2], sights.Inverse[0]),
-      hn::Mul(g.At[1][2], sights.Inverse[1]) };
-    shine.StaysBefore = sights.StayBefore(cosine);
-    sights.Mirror(cosine, this->ToLight, shine.Highlight);
-    Raise(this->Power, shine.Highlight);
-    for (int i = 0; i < 2; ++i)
-    {
-      shine.Factor[i] = hn::MulAdd(hn::Abs(cosine[i]), this->Diffuse, this->Ambient);
-    }
-  }
-
-private:
-  static ShadeVector Spread(float value) { return hn::Set(ShadeFloat(), value); }
-
-  const int Power;
-  // Scale: of bases, whose powers have the light's strength then.
-  const ShadeVector Ambient, Diffuse, Scale, ToLight;
-};
-
-/// Any lights.
-class ThinLights
-{
-public:
-  explicit ThinLights(const TileLighting& lighting)
-    : Lighting(lighting)
-    , Power(static_cast<int>(lighting.Power))
-  {
-  }
-
-  HWY_INLINE void Shine(const ThinCourse& c, const ThinGradients& g, ThinShine& shine) const
-  {
-    const ShadeFloat d;
-    const ThinSights sights(c, g, hn::Set(d, 0.25f));
-    for (int i = 0; i < 2; ++i)
-    {
-      shine.Factor[i] = hn::Set(d, 0.5f * this->Lighting.Ambient[0]);
-      shine.Highlight[i] = hn::Zero(d);
-    }
-    shine.StaysBefore = c.Fits;
-    for (const TileLight& light : this->Lighting.Lights)
-    {
-      const auto diffuse = hn::Set(d, 0.25f * light.Diffuse[0]);
-      ShadeVector cosine[2];
-      for (int i = 0; i < 2; ++i)
-      {
-        cosine[i] = hn::Mul(Dot(g.At[i], light.Towards), sights.Inverse[i]);
-        shine.Factor[i] = hn::MulAdd(hn::Abs(cosine[i]), diffuse, shine.Factor[i]);
-      }
-      shine.StaysBefore = hn::And(shine.StaysBefore, sights.StayBefore(cosine));
-      if (this->Lighting.HasHighlight)
-      {
-        this->AddHighlight(c, light, cosine, sights, shine);
-      }
-    }
-  }
-
-private:
-  HWY_INLINE void AddHighlight(const ThinCourse& c, const TileLight& light,
-    const ShadeVector (&cosine)[2], const ThinSights& sights, ThinShine& shine) const
-  {
-    const ShadeFloat d;
-    auto toLight = hn::Set(d, 2.0f * light.Towards[2]);
-    toLight = hn::MulAdd(c.EyeX, hn::Set(d, 2.0f * light.Towards[0]), toLight);
-    toLight = hn::MulAdd(c.EyeY, hn::Set(d, 2.0f * light.Towards[1]), toLight);
-    ShadeVector mirrored[2];
-    sights.Mirror(cosine, toLight, mirrored);
-    Raise(this->Power, mirrored);
-    const auto specular = hn::Set(d, 0.5f * light.Specular[0]);
-    for (int i = 0; i < 2; ++i)
-    {
-      shine.Highlight[i] = hn::MulAdd(mirrored[i], specular, shine.Highlight[i]);
-    }
-  }
-
-  const TileLighting& Lighting;
-  const int Power;
-};
 
 /// The transfer function's colours.
 template <class LookUp>
@@ -252,7 +85,8 @@ class ThinLight
 {
 public:
   ThinLight(const TileTask& task, const TileRectangle& tile)
-    : Transfer(*task.Transfer)
+    : Task(task)
+    , Transfer(*task.Transfer)
     , Courses(task, tile)
     , Shining(*task.Lighting)
   {
@@ -261,9 +95,10 @@ public:
   /// Vectors that go through the steps together: within one the steps wait for each other.
   static constexpr int Batch = hn::MaxLanes(ShadeFloat()) < 16 ? 8 : 4;
 
-  /// Colours a batch of fragments from `at` on; what does not fit waits in `rest`.
+  /// Colours a batch of fragments from `at` on; what does not fit waits in `rest`, or where light alone does not in
+  /// `steep`.
   template <class LookUp>
-  HWY_INLINE void Color(const LookUp& values, int at, TileFragments& q, TileLitPieces& rest)
+  HWY_INLINE void Color(const LookUp& values, int at, TileFragments& q, TileLitPieces& rest, TileLitPieces& steep)
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     const int count = std::min(Batch, (q.Count - at + lanes - 1) / lanes);
@@ -274,15 +109,27 @@ public:
     }
     if (this->FindOnePiece(courses, count))
     {
-      this->ColorCourses(this->One, courses, count, at, q, rest);
+      this->ColorCourses(this->One, courses, count, at, q, rest, steep);
     }
     else
     {
-      this->ColorCourses(values, courses, count, at, q, rest);
+      this->ColorCourses(values, courses, count, at, q, rest, steep);
+    }
+  }
+
+  /// Colours what waits where light alone does not fit.
+  template <class LookUp>
+  HWY_INLINE void ColorSteep(const LookUp& values, TileFragments& q, TileLitPieces& steep, TileShadeCount& more) const
+  {
+    if constexpr (HasSteep)
+    {
+      SteepLight<Lights>(this->Task, this->Courses, this->Shining).Color(values, steep, q, more);
     }
   }
 
 private:
+  static constexpr bool HasSteep = std::is_same_v<Lights, ThinHeadlight>;
+
   /// Goes over to the piece that all lie in, if there is one.
   HWY_INLINE bool FindOnePiece(const ThinCourse* courses, int count)
   {
@@ -297,7 +144,7 @@ private:
 
   template <class LookUp>
   HWY_INLINE void ColorCourses(const LookUp& values, ThinCourse (&courses)[Batch], int count, int at,
-    TileFragments& q, TileLitPieces& rest)
+    TileFragments& q, TileLitPieces& rest, TileLitPieces& steep)
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     for (int i = 0; i < count; ++i)
@@ -308,14 +155,14 @@ private:
     for (int i = 0; i < count; ++i)
     {
       ShadeVector color[4];
-      this->ColorCourse(colors, courses[i], at + i * lanes, q, rest, color);
+      this->ColorCourse(colors, courses[i], at + i * lanes, q, rest, steep, color);
       StoreColors(color, at + i * lanes, q);
     }
   }
 
   template <class LookUp>
   HWY_INLINE void ColorCourse(const ThinColors<LookUp>& colors, const ThinCourse& c, int at,
-    const TileFragments& q, TileLitPieces& rest, ShadeVector (&color)[4])
+    const TileFragments& q, TileLitPieces& rest, TileLitPieces& steep, ShadeVector (&color)[4])
   {
     ShadeVector mixed[ScreenGradients::Terms];
     const ShadeVector* rows = this->Courses.LoadRows(q, at, mixed);
@@ -333,7 +180,7 @@ private:
       {
         component = hn::IfThenElseZero(fits, component);
       }
-      this->Leave(c, fits, rows, at, q, rest);
+      this->Leave(c, fits, rows, at, q, rest, steep);
     }
   }
 
@@ -361,12 +208,25 @@ private:
   }
 
   HWY_NOINLINE void Leave(const ThinCourse& c, ShadeMask fits, const ShadeVector* rows, int at,
+    const TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
+  {
+    const ShadeFloat d;
+    const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
+    const auto which = hn::AndNot(fits, used);
+    const auto bends = HasSteep ? hn::And(which, c.Fits) : hn::Xor(which, which);
+    this->Append(c, bends, rows, at, q, steep);
+    this->Append(c, hn::Xor(which, bends), rows, at, q, rest);
+  }
+
+  HWY_INLINE void Append(const ThinCourse& c, ShadeMask which, const ShadeVector* rows, int at,
     const TileFragments& q, TileLitPieces& rest) const
   {
     const ShadeFloat d;
     const ShadeInt di;
-    const auto used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
-    const auto which = hn::AndNot(fits, used);
+    if (hn::AllFalse(d, which))
+    {
+      return;
+    }
     const LanePacker<ShadeFloat> pack(d, which);
     const int to = rest.Count;
     hn::StoreU(pack(c.First), d, rest.First + to);
@@ -386,6 +246,7 @@ private:
     rest.Count = to + static_cast<int>(hn::CountTrue(d, which));
   }
 
+  const TileTask& Task;
   const TileTransfer& Transfer;
   ThinCourses Courses;
   OnePieceLookUp One;

@@ -109,10 +109,12 @@ list(APPEND private_headers
   Rendering/Tiles/TileSliver.h
   Rendering/Tiles/TileSpans-inl.h
   Rendering/Tiles/TileStages.h
+  Rendering/Tiles/TileSteepLight-inl.h
   Rendering/Tiles/TileTask.h
   Rendering/Tiles/TileThinCourses-inl.h
   Rendering/Tiles/TileThinLight-inl.h
   Rendering/Tiles/TileThinPieces-inl.h
+  Rendering/Tiles/TileThinShine-inl.h
   Rendering/Tiles/TileTransfer.h
   Rendering/Tiles/TileVertices.h
   Rendering/Tiles/TileView.h

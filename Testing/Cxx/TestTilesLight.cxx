@@ -17,6 +17,7 @@
 #include <hwy/highway.h>
 #include <hwy/targets.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace
@@ -218,6 +219,41 @@ void CheckThin(TestChecks& checks)
   hwy::GetChosenTarget().Update(hwy::SupportedTargets());
 }
 
+// No two vertices are alike: gradients turn by any angle within a cell.
+double Noise(const double* p)
+{
+  const double wave = 1e4 * std::sin(12.9898 * p[0] + 78.233 * p[1] + 37.719 * p[2]);
+  return wave - std::floor(wave);
+}
+
+// Without a gradient but in a corner.
+double Corner(const double* p)
+{
+  return std::max(0.0, p[0] + p[1] + p[2] - 0.9);
+}
+
+// Thin fragments that light alone cuts, where it passes from one side to the other too; and light that is ambient
+// alone.
+void CheckSteep(TestChecks& checks)
+{
+  const auto grid = TestMeshes::Delaunay(700);
+  ThinScene scene(grid);
+  scene.Side->SwitchOff();
+  scene.LookFrom(0.5, 0.8, 2.2);
+  for (const double distance : { 1.0, 3.0 })
+  {
+    scene.Property->SetScalarOpacityUnitDistance(distance);
+    TestMeshes::SetField(grid, Noise);
+    scene.CheckAgain(checks, "steep");
+    std::cout << scene.Oracle->GetMaximumError() << " at most\n";
+    CHECK_AT_MOST(scene.Oracle->GetMaximumError(), 2e-4);
+    TestMeshes::SetField(grid, Corner);
+    scene.CheckAgain(checks, "no gradient");
+    std::cout << scene.Oracle->GetMaximumError() << " at most\n";
+    CHECK_AT_MOST(scene.Oracle->GetMaximumError(), 1e-4);
+  }
+}
+
 // The same picture in any unit of length: the same fragments are lit in the shorter way.
 void CheckThinUnits(TestChecks& checks)
 {
@@ -296,5 +332,6 @@ int TestTilesLight(int, char*[])
   CheckStretched(checks);
   CheckThin(checks);
   CheckThinUnits(checks);
+  CheckSteep(checks);
   return checks.Result();
 }
