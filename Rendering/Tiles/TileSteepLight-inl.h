@@ -96,7 +96,7 @@ public:
 
 private:
   // By how much further than between two places the gradient may turn, and how far at most.
-  static constexpr float TurnPerThin = 1.5f;
+  static constexpr float TurnPerThin = 1.7f;
   static constexpr float SteepestTurn = 1.0f;
 
   /// The next part of each piece; what is left takes the place of what was there.
