@@ -107,6 +107,14 @@ bool AreClosed(const Faces& sides)
     balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 101; });
 }
 
+// VTK makes a cell of the type to know it.
+const std::string& NameOf(int type)
+{
+  static std::map<int, std::string> names;
+  const auto known = names.find(type);
+  return known != names.end() ? known->second : names[type] = NameOfCellType(type);
+}
+
 double SixVolumes(const Point& a, const Point& b, const Point& c, const Point& d)
 {
   return Dot(Cross(Minus(b, a), Minus(c, a)), Minus(d, a));
@@ -298,7 +306,7 @@ std::string CellAccount::CheckReport(
     out += report->GetValueByName(row, "out").ToLongLong();
     for (std::size_t cell = 0; cell < this->Entries.size(); ++cell)
     {
-      const std::string name = NameOfCellType(this->Entries[cell].Type);
+      const std::string& name = NameOf(this->Entries[cell].Type);
       const std::string fault = name == type
         ? this->CheckEntry(this->Entries[cell], report->GetValueByName(row, "why").ToString(),
             volumes[cell], tetrahedraOnly)
