@@ -70,30 +70,72 @@ struct Nearest
   double Value = 0.0;
 };
 
-Nearest FindNearest(
-  vtkUnstructuredGrid* grid, const std::vector<Triangle>& boundary, const Point& x)
+struct Facet
 {
-  Nearest nearest;
-  vtkNew<vtkTriangle> triangle;
-  for (const Triangle& t : boundary)
+  Triangle Corners;
+  Point Low, High;
+};
+
+std::vector<Facet> FacetsOf(vtkUnstructuredGrid* grid)
+{
+  std::vector<Facet> facets;
+  for (const Triangle& t : BoundaryOf(grid))
   {
+    Facet facet = { t, PointOf(grid, t[0]), PointOf(grid, t[0]) };
+    for (int i = 3; i < 9; ++i)
+    {
+      const double x = PointOf(grid, t[i / 3])[i % 3];
+      facet.Low[i % 3] = std::min(facet.Low[i % 3], x);
+      facet.High[i % 3] = std::max(facet.High[i % 3], x);
+    }
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+// Of the facet's box: not more than of the facet but for rounding.
+double LeastDistanceSquare(const Facet& facet, const Point& x)
+{
+  double square = 0.0;
+  for (int i = 0; i < 3; ++i)
+  {
+    const double beside = std::max({ 0.0, facet.Low[i] - x[i], x[i] - facet.High[i] });
+    square += beside * beside;
+  }
+  return square;
+}
+
+void Compare(vtkUnstructuredGrid* grid, const Triangle& t, const Point& x, Nearest& nearest)
+{
+  static const vtkNew<vtkTriangle> triangle;
+  for (int i = 0; i < 3; ++i)
+  {
+    triangle->GetPoints()->SetPoint(i, grid->GetPoint(t[i]));
+  }
+  double closest[3], place[3], square, weights[3];
+  int part;
+  triangle->EvaluatePosition(x.data(), closest, part, place, square, weights);
+  if (square < nearest.Distance * nearest.Distance)
+  {
+    nearest.Distance = std::sqrt(square);
+    // Of a place beside the triangle the weights are not those of the closest one.
+    triangle->EvaluatePosition(closest, nullptr, part, place, square, weights);
+    nearest.Value = 0.0;
     for (int i = 0; i < 3; ++i)
     {
-      triangle->GetPoints()->SetPoint(i, grid->GetPoint(t[i]));
+      nearest.Value += weights[i] * grid->GetPointData()->GetScalars()->GetTuple1(t[i]);
     }
-    double closest[3], place[3], square, weights[3];
-    int part;
-    triangle->EvaluatePosition(x.data(), closest, part, place, square, weights);
-    if (square < nearest.Distance * nearest.Distance)
+  }
+}
+
+Nearest FindNearest(vtkUnstructuredGrid* grid, const std::vector<Facet>& boundary, const Point& x)
+{
+  Nearest nearest;
+  for (const Facet& facet : boundary)
+  {
+    if (LeastDistanceSquare(facet, x) * (1.0 - 1e-9) < nearest.Distance * nearest.Distance)
     {
-      nearest.Distance = std::sqrt(square);
-      // Of a place beside the triangle the weights are not those of the closest one.
-      triangle->EvaluatePosition(closest, nullptr, part, place, square, weights);
-      nearest.Value = 0.0;
-      for (int i = 0; i < 3; ++i)
-      {
-        nearest.Value += weights[i] * grid->GetPointData()->GetScalars()->GetTuple1(t[i]);
-      }
+      Compare(grid, facet.Corners, x, nearest);
     }
   }
   return nearest;
@@ -205,7 +247,7 @@ double FieldError(vtkUnstructuredGrid* original, vtkUnstructuredGrid* simplified
 {
   const std::vector<Sample> samples = SamplesOf(original);
   const std::vector<double> errors = ErrorsInside(simplified, samples);
-  const std::vector<Triangle> boundary = BoundaryOf(simplified);
+  const std::vector<Facet> boundary = FacetsOf(simplified);
   double range[2], largest = 0.0;
   original->GetPointData()->GetScalars()->GetRange(range);
   for (size_t i = 0; i < samples.size(); ++i)
@@ -238,7 +280,7 @@ double BoundaryError(vtkUnstructuredGrid* original, vtkUnstructuredGrid* simplif
   {
     places.push_back(PointOf(original, corner));
   }
-  const std::vector<Triangle> boundary = BoundaryOf(simplified);
+  const std::vector<Facet> boundary = FacetsOf(simplified);
   double largest = 0.0;
   for (const Point& place : places)
   {
