@@ -8,28 +8,58 @@
 
 namespace
 {
-// Slabs, widened so that rounding loses nothing.
-bool Meets(const BoxTree::Box& box, const double origin[3], const double inverse[3])
+// Slabs, widened by `slack` so that rounding loses nothing.
+bool Meets(const BoxTree::Box& box, const BoxTree::Line& line, double slack)
 {
   double first = -std::numeric_limits<double>::infinity(), last = -first;
   for (int i = 0; i < 3; ++i)
   {
-    const double low = box.Low[i] - origin[i], high = box.High[i] - origin[i];
-    const double slack = 1e-12 * (std::abs(low) + std::abs(high));
-    if (std::isinf(inverse[i]))
-    {
-      if (low - slack > 0.0 || high + slack < 0.0)
-      {
-        return false;
-      }
-      continue;
-    }
-    const double a = (low - slack) * inverse[i], b = (high + slack) * inverse[i];
+    const double a = (box.Low[i] - line.Origin[i] - slack) * line.Inverse[i];
+    const double b = (box.High[i] - line.Origin[i] + slack) * line.Inverse[i];
     first = std::max(first, std::min(a, b));
     last = std::min(last, std::max(a, b));
   }
   return first <= last + 1e-12 * (std::abs(first) + std::abs(last));
 }
+
+// Of no component 1 / 0, which times 0 is no number: what is as good as parallel is far away.
+double InverseOf(double component)
+{
+  return std::abs(component) < 1e-200 ? 1e200 : 1.0 / component;
+}
+
+double SlackOf(const BoxTree::Box& box, const std::vector<BoxTree::Line>& lines)
+{
+  double slack = 0.0;
+  for (const BoxTree::Line& line : lines)
+  {
+    for (int i = 0; i < 3; ++i)
+    {
+      slack = std::max({ slack, std::abs(box.Low[i] - line.Origin[i]),
+        std::abs(box.High[i] - line.Origin[i]) });
+    }
+  }
+  return 2e-12 * slack;
+}
+}
+
+struct BoxTree::Search
+{
+  const std::vector<Line>& Lines;
+  const std::function<void(int, int)>& Found;
+  double Slack;
+  // The lines that met the box of each level, one level after the other.
+  std::vector<int> Open;
+};
+
+//------------------------------------------------------------------------------
+BoxTree::Line::Line(const double origin[3], const double direction[3])
+{
+  for (int i = 0; i < 3; ++i)
+  {
+    this->Origin[i] = origin[i];
+    this->Inverse[i] = InverseOf(direction[i]);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -87,31 +117,44 @@ void BoxTree::Build(const std::vector<Box>& boxes, int begin, int end)
 }
 
 //------------------------------------------------------------------------------
-void BoxTree::ForEachNear(
-  const double origin[3], const double direction[3], const std::function<void(int)>& found) const
+void BoxTree::Visit(int at, std::size_t begin, Search& search) const
 {
-  const double inverse[3] = { 1.0 / direction[0], 1.0 / direction[1], 1.0 / direction[2] };
-  std::vector<int> open;
-  if (!this->Nodes.empty())
+  const Node& node = this->Nodes[at];
+  std::vector<int>& open = search.Open;
+  const std::size_t end = open.size();
+  std::size_t next = end;
+  open.resize(end + (end - begin));
+  for (std::size_t i = begin; i < end; ++i)
   {
-    open.push_back(0);
+    open[next] = open[i];
+    next += Meets(node.Bounds, search.Lines[open[i]], search.Slack) ? 1 : 0;
   }
-  while (!open.empty())
+  open.resize(next);
+  if (node.Second != 0 && next > end)
   {
-    const int at = open.back();
-    const Node& node = this->Nodes[at];
-    open.pop_back();
-    if (!Meets(node.Bounds, origin, inverse))
-    {
-      continue;
-    }
-    if (node.Second != 0)
-    {
-      open.push_back(at + 1);
-      open.push_back(node.Second);
-      continue;
-    }
-    std::for_each(
-      this->Members.begin() + node.Begin, this->Members.begin() + node.End, std::cref(found));
+    this->Visit(at + 1, end, search);
+    this->Visit(node.Second, end, search);
   }
+  else
+  {
+    for (std::size_t i = end; i < next; ++i)
+    {
+      search.Found(open[i], this->Members[node.Begin]);
+    }
+  }
+  open.resize(end);
+}
+
+//------------------------------------------------------------------------------
+void BoxTree::ForEachNear(
+  const std::vector<Line>& lines, const std::function<void(int, int)>& found) const
+{
+  if (this->Nodes.empty())
+  {
+    return;
+  }
+  Search search = { lines, found, SlackOf(this->Nodes.front().Bounds, lines), {} };
+  search.Open.resize(lines.size());
+  std::iota(search.Open.begin(), search.Open.end(), 0);
+  this->Visit(0, 0, search);
 }

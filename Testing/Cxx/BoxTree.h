@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-/// Boxes in a binary tree: which of them a line may meet. Never misses one.
+/// Boxes in a binary tree: which of them lines may meet. Never misses one.
 class BoxTree
 {
 public:
@@ -36,9 +36,19 @@ public:
 
   explicit BoxTree(const std::vector<Box>& boxes);
 
-  /// Calls `found` with the number of every box near the whole line through `origin`.
+  /// A whole line, as its slabs need it.
+  struct Line
+  {
+    double Origin[3];
+    double Inverse[3];
+
+    Line(const double origin[3], const double direction[3]);
+  };
+
+  /// Calls `found` with the numbers of every line and every box near it. All lines pass a box
+  /// together: it comes from memory once.
   void ForEachNear(
-    const double origin[3], const double direction[3], const std::function<void(int)>& found) const;
+    const std::vector<Line>& lines, const std::function<void(int, int)>& found) const;
 
 private:
   struct Node
@@ -48,6 +58,8 @@ private:
     int Second;     // the second child; the first follows; 0 for a leaf
   };
   void Build(const std::vector<Box>& boxes, int begin, int end);
+  struct Search;
+  void Visit(int node, std::size_t begin, Search& search) const;
   Box BoundsOf(const std::vector<Box>& boxes, int begin, int end) const;
 
   std::vector<Node> Nodes;

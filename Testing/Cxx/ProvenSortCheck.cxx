@@ -73,11 +73,10 @@ bool ProvenSortCheck::HoldsAt(
     this->MostCrossingRays = std::max(this->MostCrossingRays, rays.CrossingRays);
     if (cycles > 0)
     {
-      const auto all = this->Rays.Check(eye.Position, order, {}, this->NumberOfRays);
       const vtkIdType members = static_cast<vtkIdType>(
         std::count_if(groups.begin(), groups.end(), [](int group) { return group >= 0; }));
       this->MostCyclicCells = std::max(this->MostCyclicCells, members);
-      this->MostRaysLetOff = std::max(this->MostRaysLetOff, all.WrongRays - rays.WrongRays);
+      this->MostRaysLetOff = std::max(this->MostRaysLetOff, rays.RaysLetOff);
     }
   }
   ++this->Eyes;

@@ -2,13 +2,15 @@
 #define RayOrder_h
 
 #include "BoxTree.h"
+#include "RayCells.h"
 #include "vtkType.h"
 
 #include <array>
-#include <memory>
+#include <random>
 #include <vector>
 
 class vtkUnstructuredGrid;
+struct ShearedRay;
 
 /// Checks orders of cells along random rays, gaps and cavities included. Shares no code with the
 /// sorts. Coincident points are one; a face is the fan of triangles from its smallest point id.
@@ -30,6 +32,8 @@ public:
     /// Rays that are wrong but for cells that run through each other: on other rays their segments
     /// overlap, and no order of theirs is right.
     int CrossingRays = 0;
+    /// Rays that would be wrong were the pairs within groups not let off.
+    int RaysLetOff = 0;
     /// The first two cells found wrong: `Near` is in front, and does not come after `Far`.
     vtkIdType Near = -1;
     vtkIdType Far = -1;
@@ -53,31 +57,26 @@ private:
     double Begin, End;
     vtkIdType Cell;
   };
-  struct Ray;
+  struct Rays;
+  struct Scratch;
 
-  void ReadCells(vtkUnstructuredGrid* grid, const std::vector<bool>& skipped);
-  void AddFace(const std::vector<vtkIdType>& corners);
-  void MakeTree();
   Point RandomPointIn(int cell, unsigned int seed) const;
-  bool Hit(const Ray& ray, const std::array<vtkIdType, 3>& triangle, double& depth) const;
-  void AddSegments(const Ray& ray, int cell, bool fromEye, std::vector<Segment>& segments) const;
+  void AddSegments(const ShearedRay& ray, int cell, bool fromEye, Scratch& scratch,
+    std::vector<Segment>& segments) const;
+  Rays RaysFrom(const double eye[4], int count, std::mt19937& random) const;
+  std::vector<std::vector<Segment>> SegmentsOf(const Rays& rays, bool fromEye) const;
   /// Whether an edge of one cell runs through a triangle of the other, beyond rounding.
   bool DoCross(vtkIdType a, vtkIdType b) const;
   bool HasEdgeThrough(vtkIdType a, vtkIdType b) const;
   int CountOverlaps(const std::vector<Segment>& segments) const;
+  static bool IsFarFirst(
+    const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank);
   void Compare(const std::vector<Segment>& segments, const std::vector<vtkIdType>& rank,
     const std::vector<int>& groups, Result& result) const;
 
-  std::vector<Point> Points;
-  std::vector<vtkIdType> Merged;
-  /// Ascending ids, so that the two cells of a triangle compute the same.
-  std::vector<std::array<vtkIdType, 3>> Triangles;
-  std::vector<int> Offsets;
-  std::vector<vtkIdType> CellIds;
-  std::vector<BoxTree::Box> Boxes;
-  vtkIdType NumberOfCells = 0;
-  double Diagonal = 0.0;
-  std::unique_ptr<BoxTree> Tree;
+  vtkIdType NumberOfCells;
+  RayCells Cells;
+  BoxTree Tree;
 };
 
 #endif

@@ -50,11 +50,29 @@ void TestExchanged(TestChecks& checks)
   Eye eye = FewEyes(grid).front();
   auto order = OrderOf(sort, grid, eye);
   std::swap(order[100], order[140]);
-  CHECK(rays.Check(eye.Position, order).WrongRays > 0);
+  const int wrong = rays.Check(eye.Position, order).WrongRays;
+  CHECK(wrong > 0);
   std::vector<int> groups(order.size(), 0);
-  CHECK(rays.Check(eye.Position, order, groups).WrongRays == 0);
+  const auto letOff = rays.Check(eye.Position, order, groups);
+  CHECK(letOff.WrongRays == 0 && letOff.RaysLetOff == wrong);
   order.pop_back();
   CHECK(rays.Check(eye.Position, order).WrongRays > 0);
+}
+
+// Along an axis every ray of a lattice meets as many cells, whatever lies beside them.
+void TestAlongAxes(TestChecks& checks)
+{
+  constexpr int Cells = 6;
+  auto grid = SortMeshes::Lattice(Cells);
+  const RayOrder rays(grid);
+  for (int i = 0; i < 6; ++i)
+  {
+    double eye[4] = { 0.0, 0.0, 0.0, 0.0 };
+    eye[i % 3] = i < 3 ? 1.0 : -1.0;
+    const auto result = rays.Check(eye, {});
+    CHECK(result.Rays == 2000 && result.Pairs == 2000 * (Cells - 1));
+    CHECK(result.WrongRays == 2000 && result.OverlappingPairs == 0);
+  }
 }
 
 // VTK's sort by cell centres fails on nearly every mesh; no mesh but the bad ones overlaps itself.
@@ -123,6 +141,7 @@ int TestRayOrder(int, char*[])
   TestChecks checks;
   TestRight(checks);
   TestExchanged(checks);
+  TestAlongAxes(checks);
   TestCenters(checks);
   TestOverlaps(checks);
   TestSpeed(checks);
