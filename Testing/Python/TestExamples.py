@@ -32,7 +32,7 @@ def check_picture(path):
 def run(example, folder, environment):
     picture = pathlib.Path(folder) / (example.stem + ".png")
     command = [sys.executable, str(example), "-o", str(picture)]
-    command += ["--size", "512", "256"] if example.stem in SMALLER else []
+    command += ["--size", "512", "128"] if example.stem in SMALLER else []
     output = subprocess.run(command, env=environment, check=True, stdout=subprocess.PIPE, text=True).stdout
     if "without TetGen" in output and not hasattr(vtkcellprojection, "vtkTetGenTetrahedralizer"):
         print(example.stem, "needs TetGen")
