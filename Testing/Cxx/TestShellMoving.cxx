@@ -1,5 +1,5 @@
 // Moving points: the image is a fresh mapper's, points alone are sent to the GPU, cells that turn
-// inside out are counted and drawn, and a thousand frames take no more memory than a hundred, in
+// inside out are counted and drawn, and five hundred frames take no more memory than fifty, in
 // shells and for lit iso-surfaces.
 
 #include "TestMeshes.h"
@@ -133,11 +133,11 @@ void CheckMemory(TestChecks& checks, bool asSurfaces)
   }
   std::vector<long> growths;
   long before = 0;
-  for (int frame = 0; frame <= 1100; ++frame)
+  for (int frame = 0; frame <= 550; ++frame)
   {
     Bend(grid, rest, 0.1 * std::sin(0.1 * frame));
     scene.Render();
-    if (frame % 100 == 0)
+    if (frame % 50 == 0)
     {
       const long now = ResidentPages();
       growths.push_back(now - before);
@@ -146,11 +146,11 @@ void CheckMemory(TestChecks& checks, bool asSurfaces)
     }
   }
   CHECK(asSurfaces == (mapper->GetNumberOfShells() == 0));
-  // One point buffer a frame, 5,488 bytes, would be 120 pages in every hundred frames. Pools of the
+  // One point buffer a frame, 5,488 bytes, would be 60 pages in every fifty frames. Pools of the
   // driver grow in few of them.
   const auto middle = growths.begin() + 7;
   std::nth_element(growths.begin() + 2, middle, growths.end());
-  CHECK_AT_MOST(*middle, 30);
+  CHECK_AT_MOST(*middle, 15);
 }
 }
 
