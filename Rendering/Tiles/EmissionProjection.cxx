@@ -56,7 +56,7 @@ void DrawEmission(const ConvexTileTask& task, const TileRectangle& tile, const i
   static const BlockShapes shapes;
   const TileView& view = *task.Common.View;
   TileFragments& q = scratch.Fragments;
-  std::fill_n(scratch.Buffer.Pixels, TileBuffer::Size, TileBuffer::Pixel{ 0.0f, 0.0f, 0.0f, 0.0f });
+  std::fill_n(scratch.Buffer.Pixels, TileSize::Pixels * TileSize::Pixels, TileBuffer::Pixel{ 0.0f, 0.0f, 0.0f, 0.0f });
   // In no order, nothing is ever opaque.
   q.Full = TileFragments::Longest;
   q.Count = 0;

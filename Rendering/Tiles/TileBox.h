@@ -18,7 +18,7 @@ struct TileBox
   }
   static constexpr std::uint32_t WholeTile()
   {
-    return Pack(0, 0, TileSize::Pixels, TileSize::Pixels);
+    return Pack(0, 0, TileSize::Pixels, TileSize::MostRows);
   }
 
   explicit constexpr TileBox(std::uint32_t packed)

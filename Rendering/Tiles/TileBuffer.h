@@ -10,20 +10,21 @@
 
 struct TileBuffer
 {
-  static constexpr int Size = TileSize::Pixels * TileSize::Pixels;
+  static constexpr int Size = TileSize::Pixels * TileSize::MostRows;
 
   struct alignas(16) Pixel
   {
     float Red, Green, Blue, Through;
   };
 
-  /** Pixels that need no proof of their order leave LastExits alone. */
-  void Clear(bool forProof)
+  /** So many rows; pixels that need no proof of their order leave LastExits alone. */
+  void Clear(int rows, bool forProof)
   {
-    std::fill_n(this->Pixels, Size, Pixel{ 0.0f, 0.0f, 0.0f, 1.0f });
+    const int count = rows * TileSize::Pixels;
+    std::fill_n(this->Pixels, count, Pixel{ 0.0f, 0.0f, 0.0f, 1.0f });
     if (forProof)
     {
-      std::fill_n(this->LastExits, Size, 3e38f);
+      std::fill_n(this->LastExits, count, 3e38f);
     }
     if (this->HasWrong)
     {

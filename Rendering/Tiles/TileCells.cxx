@@ -36,9 +36,9 @@ Vector AreaOf(const Vector (&a)[4], const Vector (&b)[4], const Vector (&c)[4])
     hn::Sub(b[0], a[0]), hn::Sub(c[1], a[1]), hn::Mul(hn::Sub(b[1], a[1]), hn::Sub(c[0], a[0])));
 }
 
-// The first and the last tile that an axis' range of pixels touches; first > last where none.
+// The first and the last tile of 1 << shift pixels that an axis' range touches; first > last where none.
 template <class Vector>
-void TilesOf(Vector low, Vector high, int size, hn::Vec<Int>& first, hn::Vec<Int>& last)
+void TilesOf(Vector low, Vector high, int size, int shift, hn::Vec<Int>& first, hn::Vec<Int>& last)
 {
   const Float d;
   // Rounding must not keep a pixel from a cell that is drawn in double.
@@ -48,8 +48,8 @@ void TilesOf(Vector low, Vector high, int size, hn::Vec<Int>& first, hn::Vec<Int
     hn::Min(hn::Floor(hn::Add(high, margin)), hn::Set(d, static_cast<float>(size - 1)));
   const auto covered = hn::RebindMask(Int(), hn::Le(begin, end));
   first = hn::IfThenElse(
-    covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), begin)), hn::Set(Int(), 255));
-  last = hn::IfThenElseZero(covered, hn::ShiftRight<TileSize::Shift>(hn::ConvertTo(Int(), end)));
+    covered, hn::ShiftRightSame(hn::ConvertTo(Int(), begin), shift), hn::Set(Int(), 255));
+  last = hn::IfThenElseZero(covered, hn::ShiftRightSame(hn::ConvertTo(Int(), end), shift));
 }
 
 // As in TileCells::Boxes.
@@ -57,8 +57,8 @@ template <class Vector>
 hn::Vec<Int> BoxesOf(const Vector (&low)[2], const Vector (&high)[2], const TileView& view)
 {
   hn::Vec<Int> x[2], y[2];
-  TilesOf(low[0], high[0], view.Width, x[0], x[1]);
-  TilesOf(low[1], high[1], view.Height, y[0], y[1]);
+  TilesOf(low[0], high[0], view.Width, TileSize::Shift, x[0], x[1]);
+  TilesOf(low[1], high[1], view.Height, view.RowShift, y[0], y[1]);
   return hn::Or(hn::Or(x[0], hn::ShiftLeft<8>(x[1])),
     hn::Or(hn::ShiftLeft<16>(y[0]), hn::ShiftLeft<24>(y[1])));
 }
@@ -299,7 +299,8 @@ void TileCells::ProjectExactly(const TileMesh& mesh, const TileView& view, int c
     this->Boxes[cell] = NoTile;
     return;
   }
-  auto tile = [](int pixel) { return static_cast<std::uint32_t>(pixel) >> TileSize::Shift; };
-  this->Boxes[cell] = tile(box[0]) | tile(box[2]) << 8 | tile(box[1]) << 16 | tile(box[3]) << 24;
+  auto tile = [](int pixel, int shift) { return static_cast<std::uint32_t>(pixel) >> shift; };
+  this->Boxes[cell] = tile(box[0], TileSize::Shift) | tile(box[2], TileSize::Shift) << 8 |
+    tile(box[1], view.RowShift) << 16 | tile(box[3], view.RowShift) << 24;
 }
 #endif

@@ -14,18 +14,30 @@ class TileMesh;
 class TileVertices;
 class TileView;
 
-/** Tiles are squares of pixels. */
+/** Tiles are squares of pixels, or two of them, one above the other. */
 namespace TileSize
 {
 constexpr int Shift = 6;
 constexpr int Pixels = 1 << Shift;
+constexpr int TallShift = Shift + 1;
+constexpr int MostRows = 1 << TallShift;
 /** Their numbers must fit a byte. */
 constexpr int LargestImage = 256 << Shift;
 
-/** Tiles in a row or column of so many pixels. */
-constexpr int CountOf(int pixels)
+/** Tiles of 1 << shift pixels in a row or column of so many. */
+constexpr int CountOf(int pixels, int shift = Shift)
 {
-  return (pixels + Pixels - 1) >> Shift;
+  return (pixels + (1 << shift) - 1) >> shift;
+}
+
+/** Tall tiles cut fewer cells: where that leaves some for every thread, and the cells of one do not fill its caches. The
+ *  answer must not hang on the number of threads. */
+constexpr int LeastTall = 128;
+constexpr int MostCellsInTall = 16384;
+constexpr int RowShiftOf(int width, int height, int cells)
+{
+  const int tiles = CountOf(width) * CountOf(height, TallShift);
+  return tiles >= LeastTall && cells / tiles <= MostCellsInTall ? TallShift : Shift;
 }
 
 constexpr bool IsImage(int width, int height)

@@ -16,9 +16,9 @@ namespace
 constexpr std::size_t Ahead = 6;
 
 // The first whole number from `at` on, in the tile or at its end.
-int FirstFrom(double at)
+int FirstFrom(double at, int end)
 {
-  const double inTile = std::min(std::max(at, 0.0), double(TileSize::Pixels));
+  const double inTile = std::min(std::max(at, 0.0), double(end));
   const auto below = static_cast<int>(inTile);
   return below + (below < inTile ? 1 : 0);
 }
@@ -44,6 +44,7 @@ bool TileEntries::AreSingle(
   const TileTask& task, const TileRectangle& tile, const std::vector<int>& cells)
 {
   this->Entered.fill(0);
+  this->Height = tile.LastY + 1 - tile.Bottom;
   bool isSingle = true;
   for (std::size_t i = 0; isSingle && i < cells.size(); ++i)
   {
@@ -86,8 +87,8 @@ bool TileEntries::AddFace(const Point& a, const Point& b, const Point& c)
   this->FlipRightOf(a, b);
   this->FlipRightOf(b, c);
   this->FlipRightOf(a, c);
-  const int begin = FirstFrom(std::min({ a.Y, b.Y, c.Y }));
-  const int end = FirstFrom(std::max({ a.Y, b.Y, c.Y }));
+  const int begin = FirstFrom(std::min({ a.Y, b.Y, c.Y }), this->Height);
+  const int end = FirstFrom(std::max({ a.Y, b.Y, c.Y }), this->Height);
   std::uint64_t twice = 0;
   for (int y = begin; y < end; ++y)
   {
@@ -104,10 +105,10 @@ void TileEntries::FlipRightOf(const Point& a, const Point& b)
   const Point& low = a.Y < b.Y ? a : b;
   const Point& high = a.Y < b.Y ? b : a;
   const double perRow = (high.X - low.X) / (high.Y - low.Y);
-  const int end = FirstFrom(high.Y);
-  for (int y = FirstFrom(low.Y); y < end; ++y)
+  const int end = FirstFrom(high.Y, this->Height);
+  for (int y = FirstFrom(low.Y, this->Height); y < end; ++y)
   {
-    const int x = FirstFrom(low.X + (y - low.Y) * perRow);
+    const int x = FirstFrom(low.X + (y - low.Y) * perRow, TileSize::Pixels);
     this->Face[y] ^= x < TileSize::Pixels ? ~std::uint64_t(0) << x : 0;
   }
 }

@@ -28,7 +28,7 @@ public:
 
 private:
   static_assert(TileSize::Pixels == 64, "a row of pixels is one word");
-  using Rows = std::array<std::uint64_t, TileSize::Pixels>;
+  using Rows = std::array<std::uint64_t, TileSize::MostRows>;
   struct Point
   {
     double X, Y;
@@ -41,6 +41,7 @@ private:
   /** Pixels that were entered, and those of one face. */
   Rows Entered{};
   Rows Face{};
+  int Height = 0;
 };
 
 #endif

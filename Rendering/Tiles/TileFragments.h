@@ -17,7 +17,7 @@ struct TileFragments
   static constexpr int Shortest = 512;
   static constexpr int Longest = 2048;
   int Full = Shortest;
-  static constexpr int Capacity = Longest + TileSize::Pixels * TileSize::Pixels + 64;
+  static constexpr int Capacity = Longest + TileSize::Pixels * TileSize::MostRows + 64;
 
   int Count = 0;
   /** u where the ray enters, u lost until it leaves; scalar times weight at both. */

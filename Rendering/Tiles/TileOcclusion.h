@@ -53,7 +53,7 @@ private:
     const int (&first)[2], const int (&last)[2], float nearest, std::uint32_t& box) const;
 
   /** Of each block: u behind which nothing is seen; Open where all is. */
-  std::array<float, InRow * InRow> Depths{};
+  std::array<float, InRow * (TileSize::MostRows >> Shift)> Depths{};
   /** The tile's last column and row. */
   std::array<int, 2> Last{};
   int InVain = 0;

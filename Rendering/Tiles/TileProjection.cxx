@@ -233,7 +233,7 @@ void DrawTile(const TileTask& task, const TileRectangle& tile, TileScratch& scra
 {
   TileFragments& fragments = scratch.Fragments;
   TileBuffer& buffer = scratch.Buffer;
-  buffer.Clear(!scratch.IsInOrder);
+  buffer.Clear(tile.LastY + 1 - tile.Bottom, !scratch.IsInOrder);
   scratch.Occlusion.Clear(task, tile, scratch.IsInOrder);
   scratch.Clock.Lap(TileStages::Write);
   CoverTile(task, tile, scratch,

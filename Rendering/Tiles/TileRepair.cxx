@@ -46,7 +46,7 @@ TileRectangle TileRepair::Box(const TileRectangle& tile) const
 void TileRepair::KeepCells(std::vector<int>& cells, const std::vector<std::uint32_t>& boxes) const
 {
   static_assert(TileSize::Pixels == 64, "a row of marks is one word");
-  std::uint64_t rows[TileSize::Pixels] = {};
+  std::uint64_t rows[TileSize::MostRows] = {};
   std::uint64_t columns = 0;
   for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
   {

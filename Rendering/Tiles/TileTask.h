@@ -53,15 +53,15 @@ struct TileRectangle
   /** First and last column and row to draw. */
   int FirstX = 0, FirstY = 0, LastX = -1, LastY = -1;
 
-  /** The tile of that number, row by row from the bottom, cut to the image. */
-  static TileRectangle OfTile(int tile, int width, int height)
+  /** The tile of that number, row by row from the bottom, cut to the image; of 1 << rowShift rows. */
+  static TileRectangle OfTile(int tile, int width, int height, int rowShift = TileSize::Shift)
   {
     const int inRow = TileSize::CountOf(width);
     TileRectangle rectangle;
     rectangle.Left = rectangle.FirstX = tile % inRow * TileSize::Pixels;
-    rectangle.Bottom = rectangle.FirstY = tile / inRow * TileSize::Pixels;
+    rectangle.Bottom = rectangle.FirstY = (tile / inRow) << rowShift;
     rectangle.LastX = std::min(rectangle.Left + TileSize::Pixels, width) - 1;
-    rectangle.LastY = std::min(rectangle.Bottom + TileSize::Pixels, height) - 1;
+    rectangle.LastY = std::min(rectangle.Bottom + (1 << rowShift), height) - 1;
     return rectangle;
   }
 };

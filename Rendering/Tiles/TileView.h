@@ -15,6 +15,8 @@
 #ifndef TileView_h
 #define TileView_h
 
+#include "TileCells.h"
+
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 
@@ -64,6 +66,8 @@ public:
    *  weight of its far end. */
   double Extent = 0.0, LengthOfExtent = 0.0, FarWeight = 1.0;
   int Width = 1, Height = 1;
+  /** Tiles have 1 << RowShift rows; Build leaves that alone. */
+  int RowShift = TileSize::Shift;
 
   /** The direction of a ray in the world per depth, at pixel 0, 0; its change in x and in y. */
   std::array<glm::dvec3, 3> Ray;

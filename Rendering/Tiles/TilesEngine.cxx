@@ -25,7 +25,8 @@ void TilesEngine::SetMesh(const std::vector<float>& points, const std::vector<in
   this->Clusters.Build(this->Mesh);
   this->Gradients.Clear();
   this->Colors.Clear();
-  this->IsTransformed = false;
+  // Its number of cells has a say in the shape of tiles.
+  this->HasView = this->IsTransformed = false;
 }
 
 //------------------------------------------------------------------------------
@@ -106,17 +107,25 @@ bool TilesEngine::SetView(const Scene& scene)
   {
     return false;
   }
-  this->TilesX = TileSize::CountOf(this->View.Width);
-  this->TilesY = TileSize::CountOf(this->View.Height);
-  const bool isSameSize =
-    scene.Camera.Width == this->SeenCamera.Width && scene.Camera.Height == this->SeenCamera.Height;
-  if (!isSameSize || this->IsBlank.empty())
-  {
-    this->IsBlank.assign(static_cast<std::size_t>(this->TilesX) * this->TilesY, 0);
-  }
+  this->SetTiles(scene.Camera.Width, scene.Camera.Height);
   this->SeenCamera = scene.Camera;
   this->HasView = true;
   return true;
+}
+
+//------------------------------------------------------------------------------
+void TilesEngine::SetTiles(int width, int height)
+{
+  const int rowShift = TileSize::RowShiftOf(width, height, this->Mesh.GetNumberOfCells());
+  const bool areSame =
+    width == this->SeenCamera.Width && height == this->SeenCamera.Height && rowShift == this->View.RowShift;
+  this->View.RowShift = rowShift;
+  this->TilesX = TileSize::CountOf(width);
+  this->TilesY = TileSize::CountOf(height, rowShift);
+  if (!areSame || this->IsBlank.empty())
+  {
+    this->IsBlank.assign(static_cast<std::size_t>(this->TilesX) * this->TilesY, 0);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -234,7 +243,7 @@ void TilesEngine::DrawTile(int tile, TileScratch& scratch)
 {
   scratch.Clock.Begin(this->Clock.GetIsOn());
   const TileRectangle rectangle =
-    TileRectangle::OfTile(tile, this->View.Width, this->View.Height);
+    TileRectangle::OfTile(tile, this->View.Width, this->View.Height, this->View.RowShift);
   if (!this->IsSorted)
   {
     this->SortTile(tile, rectangle, scratch);

@@ -97,6 +97,7 @@ public:
 
 private:
   bool SetView(const Scene& scene);
+  void SetTiles(int width, int height);
   void Cull(const Scene& scene);
   void Transform();
   void Bin(const Scene& scene);

@@ -196,7 +196,7 @@ void MeasureBlending(TilesMathErrors& errors)
       pixel[i] += through * color;
     }
   }
-  tile->Clear(false);
+  tile->Clear(TileSize::Pixels, false);
   CompositeFragments<false>(*q, 0.0f, *tile);
   for (int k = 0; k < Pixels; ++k)
   {
