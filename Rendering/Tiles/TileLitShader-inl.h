@@ -39,7 +39,8 @@ struct LitWork
   ShadeMask Used;
 };
 
-template <class LookUp, bool General>
+/// Look-ups come with each call: what does not need them, and what is shaded in one piece, is compiled once for all.
+template <bool General>
 class TileLitShader
 {
 public:
@@ -56,14 +57,15 @@ public:
   {
   }
 
-  TileShadeCount Shade(TileFragments& fragments, TileLitPieces (&remainders)[2]) const
+  template <class LookUp>
+  TileShadeCount Shade(const LookUp& values, TileFragments& fragments, TileLitPieces (&remainders)[2]) const
   {
     TileShadeCount more;
     TileShadeCount sum = ShadeInPasses(
       fragments.Count, remainders,
-      [&](TileLitPieces& rest) { more = this->ShadeFirstPieces(fragments, rest, remainders[1]); },
+      [&](TileLitPieces& rest) { more = this->ShadeFirstPieces(values, fragments, rest, remainders[1]); },
       [&](int pass, const TileLitPieces& now, TileLitPieces& next)
-      { this->ShadeRemainders(fragments, pass, now, next); });
+      { this->ShadeRemainders(values, fragments, pass, now, next); });
     sum.Pieces += more.Pieces;
     sum.Lanes += more.Lanes;
     return sum;
@@ -207,41 +209,45 @@ private:
 
   /// Where light allows it fragments are coloured at once but for those that wait as a whole, else by
   /// parts; returns how much more this shades than a piece of each fragment. `steep`: for those in between.
-  TileShadeCount ShadeFirstPieces(TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
+  template <class LookUp>
+  TileShadeCount ShadeFirstPieces(
+    const LookUp& values, TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
   {
     const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
     q.FillLastVector();
     if (!General && this->Task.Lighting->AllowsThin)
     {
-      return ThinHeadlight::Suits(*this->Task.Lighting) ? this->ColorThin<ThinHeadlight>(q, rest, steep)
-                                                        : this->ColorThin<ThinLights>(q, rest, steep);
+      return ThinHeadlight::Suits(*this->Task.Lighting) ? this->ColorThin<ThinHeadlight>(values, q, rest, steep)
+                                                        : this->ColorThin<ThinLights>(values, q, rest, steep);
     }
     for (int begin = 0; begin < q.Count; begin += Batch * lanes)
     {
-      this->ShadeByParts(begin, std::min(Batch, (q.Count - begin + lanes - 1) / lanes), q, rest);
+      this->ShadeByParts(values, begin, std::min(Batch, (q.Count - begin + lanes - 1) / lanes), q, rest);
     }
     return {};
   }
 
-  template <class Lights>
-  HWY_NOINLINE TileShadeCount ColorThin(TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
+  template <class Lights, class LookUp>
+  HWY_NOINLINE TileShadeCount ColorThin(
+    const LookUp& values, TileFragments& q, TileLitPieces& rest, TileLitPieces& steep) const
   {
     constexpr int lanes = static_cast<int>(hn::MaxLanes(ShadeFloat()));
     ThinLight<Lights> thin(this->Task, this->Tile);
     steep.Count = 0;
     for (int at = 0; at < q.Count; at += ThinLight<Lights>::Batch * lanes)
     {
-      thin.Color(this->Values, at, q, rest, steep);
+      thin.Color(values, at, q, rest, steep);
     }
     TileShadeCount more;
-    thin.ColorSteep(this->Values, q, steep, more);
+    thin.ColorSteep(values, q, steep, more);
     // They were counted with all others.
     more.Pieces -= rest.Count;
     return more;
   }
 
   /// Shades the first parts of `count` vectors from `begin` on.
-  void ShadeByParts(int begin, int count, TileFragments& q, TileLitPieces& rest) const
+  template <class LookUp>
+  void ShadeByParts(const LookUp& values, int begin, int count, TileFragments& q, TileLitPieces& rest) const
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -252,17 +258,22 @@ private:
       this->FirstPieces.Find(q, at, work[i].Piece);
       work[i].Used = hn::FirstN(d, static_cast<std::size_t>(q.Count - at));
     }
-    auto shade = [&](const auto& values)
-    {
-      for (int i = 0; i < count; ++i)
-      {
-        work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
-      }
-      this->ShadeInSteps(values, 0, count, work, rest,
-        [&](int i, const ShadeVector(&color)[4]) { StoreColors(color, begin + i * lanes, q); });
-    };
     OnePieceLookUp one;
-    this->FindOnePiece(work, count, one) ? shade(one) : shade(this->Values);
+    this->FindOnePiece(work, count, one) ? this->ShadeFirstParts(one, begin, count, work, q, rest)
+                                         : this->ShadeFirstParts(values, begin, count, work, q, rest);
+  }
+
+  template <class Look>
+  HWY_NOINLINE void ShadeFirstParts(const Look& values, int begin, int count, LitWork (&work)[Batch],
+    TileFragments& q, TileLitPieces& rest) const
+  {
+    const int lanes = static_cast<int>(hn::Lanes(ShadeFloat()));
+    for (int i = 0; i < count; ++i)
+    {
+      work[i].Piece.Piece = PieceOf(values, this->Transfer, work[i].Piece.First);
+    }
+    this->ShadeInSteps(values, 0, count, work, rest,
+      [&](int i, const ShadeVector(&color)[4]) { StoreColors(color, begin + i * lanes, q); });
   }
 
   /// The piece that all of `count` vectors lie in, if there is one.
@@ -299,8 +310,9 @@ private:
     }
   }
 
-  void ShadeRemainders(
-    TileFragments& q, int pass, const TileLitPieces& now, TileLitPieces& next) const
+  template <class LookUp>
+  void ShadeRemainders(const LookUp& values, TileFragments& q, int pass, const TileLitPieces& now,
+    TileLitPieces& next) const
   {
     const ShadeFloat d;
     const int lanes = static_cast<int>(hn::Lanes(d));
@@ -316,7 +328,7 @@ private:
         this->Light.FindToEye(piece.Pixel, piece.ToEye);
         work[i].Used = hn::FirstN(d, static_cast<std::size_t>(now.Count - at));
       }
-      this->ShadeInSteps(this->Values, pass, count, work, next,
+      this->ShadeInSteps(values, pass, count, work, next,
         [&](int i, ShadeVector(&color)[4])
         {
           const int at = begin + i * lanes;
@@ -329,7 +341,6 @@ private:
     }
   }
 
-  const LookUp Values{};
   const TileTask& Task;
   const TileRectangle& Tile;
   const TileTransfer& Transfer;

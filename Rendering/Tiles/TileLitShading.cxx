@@ -21,10 +21,11 @@ TileShadeCount ShadeLit(const TileTask& task, const TileRectangle& tile, TileFra
   const TileLighting& lighting = *task.Lighting;
   if (!lighting.IsLit || lighting.HasOpacity || lighting.ColorKind != TileLighting::OwnColor)
   {
-    return TileLitShader<MemoryLookUp, true>(task, tile).Shade(fragments, remainders);
+    return TileLitShader<true>(task, tile).Shade(MemoryLookUp(), fragments, remainders);
   }
-  return WithLookUp(*task.Transfer, [&](auto values)
-    { return TileLitShader<decltype(values), false>(task, tile).Shade(fragments, remainders); });
+  const TileLitShader<false> shader(task, tile);
+  return WithLookUp(
+    *task.Transfer, [&](auto values) { return shader.Shade(values, fragments, remainders); });
 }
 }
 }

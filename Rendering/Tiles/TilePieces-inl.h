@@ -107,14 +107,18 @@ HWY_INLINE bool FitsRegisters(const Table& table)
 template <class Table, class Function>
 HWY_INLINE auto WithLookUp(const Table& table, const Function& function)
 {
-  if (FitsRegisters(table))
+  // A register of one lane holds no table.
+  if constexpr (hn::MaxLanes(ShadeFloat()) > 1)
   {
-    return function(RegisterLookUp());
-  }
-  // Gathering is slow.
-  if (table.NumberOfPieces < 2 * static_cast<int>(hn::Lanes(ShadeFloat())))
-  {
-    return function(TwoRegistersLookUp());
+    if (FitsRegisters(table))
+    {
+      return function(RegisterLookUp());
+    }
+    // Gathering is slow.
+    if (table.NumberOfPieces < 2 * static_cast<int>(hn::Lanes(ShadeFloat())))
+    {
+      return function(TwoRegistersLookUp());
+    }
   }
   return function(MemoryLookUp());
 }
