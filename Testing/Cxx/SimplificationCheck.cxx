@@ -1,5 +1,6 @@
 #include "SimplificationCheck.h"
 
+#include "BoxTree.h"
 #include "ConvexCellsTesting.h"
 #include "vtkDataArray.h"
 #include "vtkIdList.h"
@@ -73,7 +74,7 @@ struct Nearest
 struct Facet
 {
   Triangle Corners;
-  Point Low, High;
+  BoxTree::Box Box;
 };
 
 std::vector<Facet> FacetsOf(vtkUnstructuredGrid* grid)
@@ -81,25 +82,22 @@ std::vector<Facet> FacetsOf(vtkUnstructuredGrid* grid)
   std::vector<Facet> facets;
   for (const Triangle& t : BoundaryOf(grid))
   {
-    Facet facet = { t, PointOf(grid, t[0]), PointOf(grid, t[0]) };
-    for (int i = 3; i < 9; ++i)
+    facets.push_back({ t, {} });
+    for (const vtkIdType corner : t)
     {
-      const double x = PointOf(grid, t[i / 3])[i % 3];
-      facet.Low[i % 3] = std::min(facet.Low[i % 3], x);
-      facet.High[i % 3] = std::max(facet.High[i % 3], x);
+      facets.back().Box.Add(PointOf(grid, corner).data());
     }
-    facets.push_back(facet);
   }
   return facets;
 }
 
-// Of the facet's box: not more than of the facet but for rounding.
-double LeastDistanceSquare(const Facet& facet, const Point& x)
+// Not more than of what is in the box but for rounding.
+double LeastDistanceSquare(const BoxTree::Box& box, const Point& x)
 {
   double square = 0.0;
   for (int i = 0; i < 3; ++i)
   {
-    const double beside = std::max({ 0.0, facet.Low[i] - x[i], x[i] - facet.High[i] });
+    const double beside = std::max({ 0.0, box.Low[i] - x[i], x[i] - box.High[i] });
     square += beside * beside;
   }
   return square;
@@ -133,7 +131,7 @@ Nearest FindNearest(vtkUnstructuredGrid* grid, const std::vector<Facet>& boundar
   Nearest nearest;
   for (const Facet& facet : boundary)
   {
-    if (LeastDistanceSquare(facet, x) * (1.0 - 1e-9) < nearest.Distance * nearest.Distance)
+    if (LeastDistanceSquare(facet.Box, x) * (1.0 - 1e-9) < nearest.Distance * nearest.Distance)
     {
       Compare(grid, facet.Corners, x, nearest);
     }
