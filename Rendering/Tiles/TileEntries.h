@@ -41,7 +41,7 @@ private:
   /** Pixels that were entered, and those of one face. */
   Rows Entered{};
   Rows Face{};
-  int Height = 0;
+  int Height = 0; // of the tile, in rows
 };
 
 #endif
