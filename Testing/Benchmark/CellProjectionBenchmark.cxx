@@ -91,7 +91,7 @@ void Print(const Row& row, double peer, vtkIdType cells)
 void CompareMappers(const BenchmarkMesh& mesh, bool spiky, int frames)
 {
   const vtkIdType cells = mesh.Grid->GetNumberOfCells();
-  std::printf("%s, %s, %lld tetrahedra, %d x %d pixels, %d frames, a new eye each; errors at "
+  std::printf("%s, %s, %lld tetrahedra, %d x %d pixels, %d frames or more, a new eye each; errors at "
               "%d x %d\n",
     mesh.Name.c_str(), spiky ? "spiky" : "smooth", static_cast<long long>(cells), ImageSize,
     ImageSize, frames, ErrorSize, ErrorSize);

@@ -15,9 +15,20 @@ void FramesInTurns::Draw()
     {
       if (contender.Spent < contender.Limit)
       {
-        contender.Seconds->push_back(contender.Time(frame));
-        contender.Spent += contender.Seconds->back();
+        this->TakeTurn(frame, contender);
       }
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void FramesInTurns::TakeTurn(int frame, Contender& contender) const
+{
+  double spent = 0.0;
+  for (int i = 0; i == 0 || (i < this->Frames && spent < this->SecondsPerTurn); ++i)
+  {
+    contender.Seconds->push_back(contender.Time(1 + (frame - 1 + i) % this->Frames));
+    spent += contender.Seconds->back();
+  }
+  contender.Spent += spent;
 }

@@ -5,17 +5,20 @@
 #include <limits>
 #include <vector>
 
-/// Frames of several scenes, one of each in turn: a machine's clock changes from second to second, for neighbours in time alike.
-/// Measured: a frame is no slower for coming after another mapper's seconds.
+/// Frames of several scenes in turns: a machine's clock changes from second to second, for neighbours in time alike.
+/// A turn is a frame, and more while it is short. Measured: frames of 40 ms one by one between some of 1 and 8 s of one
+/// thread take 1.04 to 1.1 times as long as those that follow each other, as in use.
 class FramesInTurns
 {
 public:
   /// Seconds of the frame of that number, a new eye each.
   using Timer = std::function<double(int frame)>;
 
-  /// `frames` of each scene, numbered from 1.
-  explicit FramesInTurns(int frames)
+  /// `frames` turns of each scene and as many eyes, numbered from 1; a turn goes on for so many seconds, unless no eye is
+  /// left that it has not seen.
+  explicit FramesInTurns(int frames, double secondsPerTurn = 0.25)
     : Frames(frames)
+    , SecondsPerTurn(secondsPerTurn)
   {
   }
 
@@ -33,7 +36,10 @@ private:
     double Spent = 0.0;
   };
 
+  void TakeTurn(int frame, Contender& contender) const;
+
   int Frames;
+  double SecondsPerTurn;
   std::vector<Contender> Contenders;
 };
 

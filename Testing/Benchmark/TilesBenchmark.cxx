@@ -104,8 +104,8 @@ struct Case
   BenchmarkMapper Mapper = BenchmarkMapper::Tiles();
 };
 
-// Medians of the frames after the first.
-std::vector<double> TimeInTurns(const std::vector<Case>& cases, int frames)
+// Seconds of the frames after the first.
+std::vector<std::vector<double>> TimeInTurns(const std::vector<Case>& cases, int frames)
 {
   std::vector<std::unique_ptr<BenchmarkScene>> scenes;
   std::vector<std::vector<double>> seconds(cases.size());
@@ -117,6 +117,12 @@ std::vector<double> TimeInTurns(const std::vector<Case>& cases, int frames)
     turns.Add([scene](int frame) { return scene->TimeFrame(frame); }, seconds[i]);
   }
   turns.Draw();
+  return seconds;
+}
+
+std::vector<double> MedianInTurns(const std::vector<Case>& cases, int frames)
+{
+  const std::vector<std::vector<double>> seconds = TimeInTurns(cases, frames);
   std::vector<double> medians;
   std::transform(seconds.begin(), seconds.end(), std::back_inserter(medians), Median);
   return medians;
@@ -129,7 +135,7 @@ void CompareSizes(int frames)
   {
     cases.push_back({ MakeLattice(cells) });
   }
-  const std::vector<double> seconds = TimeInTurns(cases, frames);
+  const std::vector<double> seconds = MedianInTurns(cases, frames);
   std::printf("\nTiles, ten times the cells, in turns\n%12s %9s %12s\n", "tetrahedra", "median ms", "of the first");
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
@@ -145,7 +151,7 @@ void ComparePixels(const std::string& name, vtkUnstructuredGrid* grid, int frame
   {
     cases.push_back({ grid, size });
   }
-  const std::vector<double> seconds = TimeInTurns(cases, frames);
+  const std::vector<double> seconds = MedianInTurns(cases, frames);
   std::printf("\nTiles, four times the pixels, in turns, %s\n%12s %9s %12s\n", name.c_str(), "pixels",
     "median ms", "of the first");
   for (std::size_t i = 0; i < cases.size(); ++i)
@@ -174,7 +180,7 @@ void CompareThreads(const std::string& name, int frames)
     counts.push_back(threads);
   }
   std::vector<std::vector<double>> seconds(counts.size());
-  FramesInTurns turns(Processes);
+  FramesInTurns turns(Processes, 0.0);
   for (std::size_t i = 0; i < counts.size(); ++i)
   {
     turns.Add([frames, threads = counts[i]](int) { return AskThreads(frames, threads); }, seconds[i]);
@@ -196,14 +202,15 @@ void CompareCasters(int frames)
   const auto grid = MakeLattice(LatticeOfCasters);
   const std::vector<Case> cases = { { grid, ImageSize, BenchmarkMapper::Tiles() },
     { grid, ImageSize, BenchmarkMapper::Bunyk() }, { grid, ImageSize, BenchmarkMapper::ZSweep() } };
-  const std::vector<double> seconds = TimeInTurns(cases, frames);
+  const std::vector<std::vector<double>> seconds = TimeInTurns(cases, frames);
   std::printf("\nVTK's ray casters in turns, a ray for every pixel, a jittered lattice of %lld tetrahedra\n"
               "%-28s %7s %10s %8s\n",
     static_cast<long long>(grid->GetNumberOfCells()), "mapper", "frames", "median ms", "Tiles");
   for (std::size_t i = 0; i < cases.size(); ++i)
   {
-    std::printf("%-28s %7d %10.1f %8.1f\n", cases[i].Mapper.Name.c_str(), frames, 1e3 * seconds[i],
-      seconds[i] / seconds[0]);
+    const double median = Median(seconds[i]);
+    std::printf("%-28s %7d %10.1f %8.1f\n", cases[i].Mapper.Name.c_str(), static_cast<int>(seconds[i].size()),
+      1e3 * median, median / Median(seconds[0]));
   }
 }
 }
