@@ -74,6 +74,10 @@ bool ViewRays::Build(const Transforms& transforms)
   }
   const glm::dmat4 clipToView = glm::inverse(transforms.ViewToClip);
   this->SetDepths(transforms, clipToView);
+  if (!std::isfinite(this->Near) || !std::isfinite(this->Far))
+  {
+    return false;
+  }
   this->SetRays(transforms, clipToView);
   this->Size = { transforms.Width, transforms.Height };
   this->MeshToWorld = glm::scale(

@@ -39,7 +39,8 @@ public:
     int Height = 1;
   };
 
-  /// False where a matrix cannot be inverted: nothing can be seen then.
+  /// False where a matrix cannot be inverted or has no near or far plane, as where one is 1e-16 of the other: nothing can be
+  /// seen then.
   bool Build(const Transforms& transforms);
 
   glm::vec2 Pixel{ 0.0f };

@@ -204,7 +204,7 @@ bool vtkConvexCellMapper::PrepareView(CellProjectionFrame& frame)
   if (!SceneView::SetRays(frame, this->Internal->Prepared.Coordinates))
   {
     return this->PassesWithout(
-      "The matrix of the volume or of the camera cannot be inverted: nothing is drawn.");
+      "The matrix of the volume or of the camera cannot be inverted, or has no far plane: nothing is drawn.");
   }
   this->WarnOnce(MapperMessages::ExcessPlanes(this->ClippingPlanes));
   SceneView::SetClippingPlanes(frame, this->ClippingPlanes);

@@ -245,11 +245,23 @@ void CheckBadPoints(TestChecks& checks)
   speck.RenderTwice();
   CHECK(speck.SaysOnce("1 tetrahedra are too small"));
   CHECK(speck.DrawsSomething());
+}
 
+void CheckMatrices(TestChecks& checks)
+{
   BadScene matrix;
   matrix.Volume->SetScale(1.0, 0.0, 1.0);
   matrix.RenderTwice();
   CHECK(matrix.SaysOnce("cannot be inverted"));
+
+  // Of a near plane this near a matrix of doubles keeps no far one.
+  BadScene noFar;
+  noFar.Renderer->GetActiveCamera()->SetClippingRange(1e-18, 10.0);
+  noFar.RenderTwice();
+  CHECK(noFar.SaysOnce("has no far plane"));
+  noFar.Renderer->GetActiveCamera()->SetClippingRange(0.1, 10.0);
+  noFar.RenderTwice();
+  CHECK(noFar.DrawsSomething());
 }
 
 void CheckWindowWithoutPixels(TestChecks& checks)
@@ -311,6 +323,7 @@ int TestBadInput(int, char*[])
   CheckProperty(checks);
   CheckOtherCells(checks);
   CheckBadPoints(checks);
+  CheckMatrices(checks);
   CheckWindowWithoutPixels(checks);
   CheckBrokenSort(checks);
   return checks.Result();

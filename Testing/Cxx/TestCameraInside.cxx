@@ -43,7 +43,7 @@ int TestCameraInside(int, char*[])
   camera->SetFocalPoint(0.4, 0.2, 0.1);
   camera->SetPosition(0.05, 0.02, 0.11);
   // Before a plane this near a ray's weight is a thousand million times what it is behind.
-  for (const double nearPlane : { 1e-9, 1e-7, 1e-3, 0.1, 0.3 })
+  for (const double nearPlane : { 1e-15, 1e-12, 1e-9, 1e-7, 1e-3, 0.1, 0.3 })
   {
     CheckNearPlane(checks, scene, nearPlane, 2e-4);
   }

@@ -12,7 +12,7 @@ void CheckNearPlanes(TestChecks& checks, PolyhedraScene& scene, const std::strin
   vtkCamera* camera = scene.Renderer->GetActiveCamera();
   scene.SetView(2);
   const int* size = scene.Renderer->GetSize();
-  for (const double nearPlane : { 1e-3, 0.1, 0.25 })
+  for (const double nearPlane : { 1e-15, 1e-9, 1e-3, 0.1, 0.25 })
   {
     camera->SetClippingRange(nearPlane, 10.0);
     scene.CheckWithOracle(checks, name + ", near plane at " + std::to_string(nearPlane), __LINE__);
