@@ -7,7 +7,7 @@
 
 /// Frames of several scenes in turns: a machine's clock changes from second to second, for neighbours in time alike.
 /// A turn is a frame, and more while it is short. Measured: frames of 40 ms one by one between some of 1 and 8 s of one
-/// thread take 1.04 to 1.1 times as long as those that follow each other, as in use.
+/// thread take 1.02 to 1.1 times as long as those that follow each other, as in use.
 class FramesInTurns
 {
 public:
