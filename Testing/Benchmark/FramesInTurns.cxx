@@ -25,10 +25,12 @@ void FramesInTurns::Draw()
 void FramesInTurns::TakeTurn(int frame, Contender& contender) const
 {
   double spent = 0.0;
-  for (int i = 0; i == 0 || (i < this->Frames && spent < this->SecondsPerTurn); ++i)
+  int drawn = 0;
+  do
   {
-    contender.Seconds->push_back(contender.Time(1 + (frame - 1 + i) % this->Frames));
+    contender.Seconds->push_back(contender.Time(1 + (frame - 1 + drawn) % this->Frames));
     spent += contender.Seconds->back();
-  }
+    ++drawn;
+  } while (drawn < this->Frames && spent < this->SecondsPerTurn);
   contender.Spent += spent;
 }

@@ -154,7 +154,8 @@ bool Scaling::IsLeftOut(const ScalingRow& row, double growth) const
 //------------------------------------------------------------------------------
 void Scaling::TimeFrames(std::vector<Run>& runs) const
 {
-  FramesInTurns turns(this->Frames);
+  // As many frames as were asked for: the table says how many.
+  FramesInTurns turns(this->Frames, 0.0);
   for (Run& run : runs)
   {
     turns.Add(
