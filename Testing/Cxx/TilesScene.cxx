@@ -12,6 +12,7 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <algorithm>
+#include <chrono>
 #include <iostream>
 
 namespace
@@ -107,7 +108,11 @@ bool TilesScene::DrawTiles()
   }
   this->Engine.SetScalars(this->Field.Values, this->CellScalars);
   this->Engine.SetDrawn(drawn);
-  return this->Engine.Render(this->DescribeScene());
+  const TilesEngine::Scene scene = this->DescribeScene();
+  const auto start = std::chrono::steady_clock::now();
+  const bool isDrawn = this->Engine.Render(scene);
+  this->SecondsOfEngine = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return isDrawn;
 }
 
 //------------------------------------------------------------------------------

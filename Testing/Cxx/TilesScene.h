@@ -27,6 +27,8 @@ public:
 
   /// Draws by the engine; false where it refused.
   bool DrawTiles();
+  /// What the engine took of it, without what its input took.
+  double SecondsOfEngine = 0.0;
   /// The largest difference between the engine's image and the oracle; below zero where either
   /// failed. Prints all the figures.
   double TilesError(const std::string& name);
