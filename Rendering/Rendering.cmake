@@ -116,6 +116,7 @@ list(APPEND private_headers
   Rendering/BackToFrontOrder.h
   Rendering/BarycentricShellInternals.h
   Rendering/BlendModeAdvice.h
+  Rendering/CameraMatrices.h
   Rendering/CellApproximation.h
   Rendering/CellPlanes.h
   Rendering/CellProjectionFrame.h

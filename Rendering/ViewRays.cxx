@@ -1,5 +1,7 @@
 #include "ViewRays.h"
 
+#include "CameraMatrices.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/matrix.hpp>
 
@@ -56,19 +58,14 @@ void SetLinear(Single (&linear)[3], const Double& here, const Double& right, con
   linear[1] = Single((right - here) / size.x);
   linear[2] = Single((above - here) / size.y);
 }
-
-bool IsInvertible(const glm::dmat4& matrix)
-{
-  const double determinant = glm::determinant(matrix);
-  return std::isfinite(determinant) && determinant != 0.0;
-}
 }
 
 //------------------------------------------------------------------------------
 bool ViewRays::Build(const Transforms& transforms)
 {
-  if (!IsInvertible(transforms.DataToWorld) || !IsInvertible(transforms.WorldToView) ||
-      !IsInvertible(transforms.ViewToClip))
+  if (!CameraMatrices::IsInvertible(transforms.DataToWorld) ||
+    !CameraMatrices::IsInvertible(transforms.WorldToView) ||
+    !CameraMatrices::IsInvertible(transforms.ViewToClip))
   {
     return false;
   }
@@ -102,8 +99,8 @@ void ViewRays::SetEye(const glm::dmat4& clipToView)
 //------------------------------------------------------------------------------
 void ViewRays::SetDepths(const Transforms& transforms, const glm::dmat4& clipToView)
 {
-  this->Near = -Unproject(clipToView, 0.0, 0.0, -1.0).z;
-  this->Far = -Unproject(clipToView, 0.0, 0.0, 1.0).z;
+  this->Near = CameraMatrices::DepthOfPlane(clipToView, -1.0);
+  this->Far = CameraMatrices::DepthOfPlane(clipToView, 1.0);
   const glm::dvec4 center =
     transforms.WorldToView * transforms.DataToWorld * glm::dvec4(transforms.Center, 1.0);
   this->Reference = std::min(std::max(-center.z, this->Near), this->Far);

@@ -1,5 +1,7 @@
 #include "TileView.h"
 
+#include "CameraMatrices.h"
+
 #include <glm/geometric.hpp>
 #include <glm/gtc/matrix_access.hpp>
 #include <glm/matrix.hpp>
@@ -7,22 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-
-namespace
-{
-bool IsInvertible(const glm::dmat4& matrix)
-{
-  const double determinant = glm::determinant(matrix);
-  return std::isfinite(determinant) && determinant != 0.0;
-}
-
-// View depths of the near and the far plane.
-double ClipDepth(const glm::dmat4& clipToView, double z)
-{
-  const glm::dvec4 point = clipToView * glm::dvec4(0.0, 0.0, z, 1.0);
-  return -point.z / point.w;
-}
-}
 
 //------------------------------------------------------------------------------
 bool TileView::Camera::operator==(const Camera& other) const
@@ -35,41 +21,50 @@ bool TileView::Camera::operator==(const Camera& other) const
 //------------------------------------------------------------------------------
 bool TileView::Build(const Camera& camera)
 {
-  if (!IsInvertible(camera.MeshToView) || !IsInvertible(camera.ViewToClip))
+  if (!CameraMatrices::IsInvertible(camera.MeshToView) || !CameraMatrices::IsInvertible(camera.ViewToClip))
+  {
+    return false;
+  }
+  const glm::dmat4 clipToView = glm::inverse(camera.ViewToClip);
+  const double nearDepth = CameraMatrices::DepthOfPlane(clipToView, -1.0);
+  const double farDepth = CameraMatrices::DepthOfPlane(clipToView, 1.0);
+  if (!std::isfinite(nearDepth) || !std::isfinite(farDepth))
   {
     return false;
   }
   this->ViewToClip = camera.ViewToClip;
   this->Width = camera.Width;
   this->Height = camera.Height;
-  const glm::dmat4 clipToView = glm::inverse(camera.ViewToClip);
-  const double nearDepth = ClipDepth(clipToView, -1.0);
-  const double farDepth = ClipDepth(clipToView, 1.0);
   this->IsParallel = camera.ViewToClip[2][3] == 0.0;
+  this->SetDepths(camera.MeshToView, nearDepth, farDepth);
+  this->SetScreen(camera);
+  this->SetRays(camera);
+  const glm::dvec3 middle =
+    this->Ray[0] + 0.5 * this->Width * this->Ray[1] + 0.5 * this->Height * this->Ray[2];
+  this->LengthOfExtent = this->Extent * glm::length(middle);
+  return CameraMatrices::IsInvertible(this->MeshToScreen);
+}
+
+//------------------------------------------------------------------------------
+void TileView::SetDepths(const glm::dmat4& meshToView, double nearDepth, double farDepth)
+{
   // Mesh coordinates lie within [-1, 1].
-  const glm::dvec4 row = glm::row(camera.MeshToView, 2);
+  const glm::dvec4 row = glm::row(meshToView, 2);
   const double radius = std::abs(row.x) + std::abs(row.y) + std::abs(row.z);
-  const double center = -camera.MeshToView[3].z;
+  const double center = -meshToView[3].z;
   // Of a mesh about the eye a place before it: beside 1 / depth at the eye a float keeps no digit.
   this->Reference = std::min(std::max({ center, 0.5 * radius, nearDepth }), farDepth);
   this->WeightScale = this->IsParallel ? 0.0 : 1.0;
   this->WeightOffset = 1.0;
   if (!this->IsParallel)
   {
-    this->WeightOffset =
-      1.0 / (camera.ViewToClip[3][3] - camera.ViewToClip[2][3] * this->Reference);
+    this->WeightOffset = 1.0 / (this->ViewToClip[3][3] - this->ViewToClip[2][3] * this->Reference);
   }
   this->NearU = this->ScreenDepth(nearDepth);
   this->FarU = this->ScreenDepth(farDepth);
   this->Extent = 2.0 * radius;
   const double deepest = std::max(std::min(center + radius, farDepth), nearDepth);
   this->FarWeight = this->WeightScale * this->ScreenDepth(deepest) + this->WeightOffset;
-  this->SetScreen(camera);
-  this->SetRays(camera);
-  const glm::dvec3 middle =
-    this->Ray[0] + 0.5 * this->Width * this->Ray[1] + 0.5 * this->Height * this->Ray[2];
-  this->LengthOfExtent = this->Extent * glm::length(middle);
-  return IsInvertible(this->MeshToScreen);
 }
 
 //------------------------------------------------------------------------------

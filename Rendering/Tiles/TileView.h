@@ -36,7 +36,7 @@ public:
     bool operator==(const Camera& other) const;
   };
 
-  /** False where nothing can be seen: a matrix without an inverse. */
+  /** False where nothing can be seen: a matrix without an inverse, or without a near or a far plane. */
   bool Build(const Camera& camera);
 
   /** u at a depth from the view's origin. */
@@ -73,6 +73,7 @@ public:
   std::array<glm::dvec3, 3> Ray;
 
 private:
+  void SetDepths(const glm::dmat4& meshToView, double nearDepth, double farDepth);
   void SetScreen(const Camera& camera);
   void SetRays(const Camera& camera);
 

@@ -11,8 +11,11 @@
 #include "vtkIdList.h"
 #include "vtkSMPTools.h"
 
+#include <glm/gtc/matrix_transform.hpp>
+
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 #include <numeric>
 
@@ -130,25 +133,62 @@ void CheckConvexCells(TestChecks& checks, Engine& engine)
     });
 }
 
-// An image without pixels, or with too many, is no frame; the next one is drawn again.
+// Images without pixels or with too many, matrices without an inverse, and one that keeps no far plane.
+std::vector<TileView::Camera> CamerasOfNothing(const TileView::Camera& camera)
+{
+  std::vector<TileView::Camera> cameras;
+  for (const auto& size : { std::array<int, 2>{ 0, 64 }, { 64, 0 }, { 0, 0 }, { -1, 64 },
+         { TileSize::LargestImage + 1, 64 } })
+  {
+    cameras.push_back(camera);
+    cameras.back().Width = size[0];
+    cameras.back().Height = size[1];
+  }
+  cameras.push_back(camera);
+  cameras.back().MeshToView[1] = glm::dvec4(0.0);
+  cameras.push_back(camera);
+  cameras.back().ViewToClip[0][0] = std::nan("");
+  cameras.push_back(camera);
+  cameras.back().ViewToClip = glm::perspective(0.6, 1.0, 1e-18, 10.0);
+  return cameras;
+}
+
+// Such a camera makes no frame; the next one is drawn again.
+template <class Engine, class Scene>
+void CheckCameras(TestChecks& checks, Engine& engine, Scene scene)
+{
+  CHECK(engine.Render(scene));
+  const Image image = engine.GetImage();
+  const TileView::Camera good = scene.Camera;
+  for (const TileView::Camera& camera : CamerasOfNothing(good))
+  {
+    scene.Camera = camera;
+    CHECK(!engine.Render(scene));
+    scene.Camera = good;
+    CHECK(engine.Render(scene));
+    CHECK(engine.GetImage() == image);
+  }
+}
+
+void CheckCamerasOfTetrahedra(TestChecks& checks)
+{
+  TileArrays arrays(3);
+  arrays.SetFunction(false);
+  arrays.SetMesh();
+  LookAt(arrays, 0);
+  CheckCameras(checks, arrays.Engine, arrays.Scene);
+}
+
 template <class Engine>
-void CheckSizes(TestChecks& checks, Engine& engine)
+void CheckCamerasOfConvexCells(TestChecks& checks, Engine& engine)
 {
   TileArrays arrays(1);
   arrays.SetFunction(false, 10.0);
   LookAt(arrays, 0);
   ConvexTilesFrame::Scene scene;
   scene.Function = arrays.Scene.Function;
-  for (const auto& size : { std::array<int, 2>{ 0, 64 }, { 64, 0 }, { 0, 0 }, { -1, 64 },
-         { TileSize::LargestImage + 1, 64 } })
-  {
-    scene.Camera = arrays.Scene.Camera;
-    scene.Camera.Width = size[0];
-    scene.Camera.Height = size[1];
-    CHECK(!engine.Render(scene));
-  }
   scene.Camera = arrays.Scene.Camera;
-  CHECK(engine.Render(scene));
+  CheckCameras(checks, engine, scene);
 }
 }
 
@@ -157,18 +197,19 @@ int TestTilesKernels(int, char*[])
   TestChecks checks;
   CheckTetrahedra(checks);
   CheckAbort(checks);
+  CheckCamerasOfTetrahedra(checks);
   const HexahedraArrays mesh(6);
   EmissionTilesEngine emission;
   emission.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
   emission.SetScalars(mesh.Scalars, false);
   emission.SetDrawn(mesh.Drawn);
   CheckConvexCells(checks, emission);
-  CheckSizes(checks, emission);
+  CheckCamerasOfConvexCells(checks, emission);
   ExtremumTilesEngine extremum;
   extremum.SetMesh(mesh.Points, mesh.Cells, mesh.Pieces, mesh.Planes);
   extremum.SetScalars(mesh.Scalars, false, false);
   extremum.SetDrawn(mesh.Drawn);
   CheckConvexCells(checks, extremum);
-  CheckSizes(checks, extremum);
+  CheckCamerasOfConvexCells(checks, extremum);
   return checks.Result();
 }
