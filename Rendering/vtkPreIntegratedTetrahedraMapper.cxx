@@ -243,6 +243,12 @@ bool vtkPreIntegratedTetrahedraMapper::UploadOrder()
 }
 
 //------------------------------------------------------------------------------
+vtkMTimeType vtkPreIntegratedTetrahedraMapper::GetTableTime() const
+{
+  return this->Internal->TableTime;
+}
+
+//------------------------------------------------------------------------------
 bool vtkPreIntegratedTetrahedraMapper::DrawsTable()
 {
   const bool isDependent = this->Internal->Shading.Colors.Kind != DependentColors::None;

@@ -199,6 +199,9 @@ protected:
   bool ProjectCells(CellProjectionFrame& frame) override;
   void ReleaseBuffers(vtkWindow* window) override;
 
+  /// When the table was built last; 0 where it never was.
+  vtkMTimeType GetTableTime() const;
+
 private:
   vtkPreIntegratedTetrahedraMapper(const vtkPreIntegratedTetrahedraMapper&) = delete;
   void operator=(const vtkPreIntegratedTetrahedraMapper&) = delete;
