@@ -117,16 +117,14 @@ void vtkPreIntegratedTetrahedraMapper::PrepareTetrahedra(CellProjectionFrame& fr
     this->WarnOnce(MapperMessages::FlatTetrahedra(internal.Tiles.GetNumberOfFlatCells()));
   }
   std::string problem;
-  internal.Shading.Prepare(
-    frame, prepared, internal.Selection.Corners, internal.CornersTime, problem);
+  internal.Shading.Prepare(frame, prepared, internal.Selection.Corners, internal.CornersTime, problem);
   this->WarnOnce(problem);
   if (this->DrawsTable() &&
-      (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
-        internal.Table.IsLit() != internal.Shading.IsLit))
+    (internal.TableTime < prepared.FunctionTime || internal.Table.Size != this->TableSize ||
+      internal.Table.IsLit() != internal.Shading.IsLit))
   {
     const std::array<float, 2> range = prepared.Scalars.GetNormalisedRange();
-    internal.Table.Build(prepared.Function, range.data(), this->TableSize,
-      internal.Shading.IsLit);
+    internal.Table.Build(prepared.Function, range.data(), this->TableSize, internal.Shading.IsLit);
     internal.TableTime.Modified();
   }
 }
@@ -285,8 +283,7 @@ void vtkPreIntegratedTetrahedraMapper::PrepareApproximation(CellProjectionFrame&
   const TetrahedraApproximation::Settings settings{
     static_cast<ApproximationKind>(this->Approximation), this->CentroidThickness,
     this->CentroidRimOpacity };
-  this->Internal->Approximation.Prepare(
-    settings, this->GetPreparedVolume(), this->Internal->Selection, frame);
+  this->Internal->Approximation.Prepare(settings, this->GetPreparedVolume(), this->Internal->Selection, frame);
 }
 
 //------------------------------------------------------------------------------
@@ -332,8 +329,7 @@ bool vtkPreIntegratedTetrahedraMapper::UploadShading(CellProjectionFrame& frame)
 }
 
 //------------------------------------------------------------------------------
-std::string vtkPreIntegratedTetrahedraMapper::FindTilesObstacle(
-  const CellProjectionFrame& frame) const
+std::string vtkPreIntegratedTetrahedraMapper::FindTilesObstacle(const CellProjectionFrame& frame) const
 {
   return this->Integration == EXACT && this->Approximation == NONE
     ? TilesFrame::FindObstacle(frame)
