@@ -49,9 +49,9 @@ struct ThinLine
     const ShadeFloat d;
     const auto below = hn::Sub(hn::Set(d, this->Piece->Low), hn::Min(course.First, course.Last));
     const auto above = hn::Sub(hn::Max(course.First, course.Last), hn::Set(d, this->Piece->High));
-    // The depth last: where a scalar is not a number neither is it.
-    const auto beyond = hn::Max(hn::Max(below, above), hn::Sub(depth, hn::Set(d, DeepestThin)));
-    return hn::AllTrue(d, hn::Le(beyond, hn::Zero(d)));
+    // The depth apart: where a scalar is not a number neither is it, which a maximum may leave out.
+    const auto isThin = hn::Le(depth, hn::Set(d, DeepestThin));
+    return hn::AllTrue(d, hn::And(hn::Le(hn::Max(below, above), hn::Zero(d)), isThin));
   }
 };
 
