@@ -15,6 +15,8 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <type_traits>
 
 HWY_BEFORE_NAMESPACE();
@@ -39,12 +41,22 @@ HWY_INLINE void BlendFragment(TileBuffer::Pixel& pixel, const float* color)
 /// Whether one of four fragments and one of the four behind them lie in the same pixel.
 HWY_INLINE bool ShareAnyPixel(const int* pixels)
 {
-  const hn::CappedTag<int, 4> d;
-  const auto first = hn::Load(d, pixels), last = hn::Load(d, pixels + 4);
-  const auto even = hn::Or(hn::Eq(first, last), hn::Eq(first, hn::Shuffle1032(last)));
-  const auto odd = hn::Or(
-    hn::Eq(first, hn::Shuffle0321(last)), hn::Eq(first, hn::Shuffle2103(last)));
-  return !hn::AllFalse(d, hn::Or(even, odd));
+  // Against each block of the first four are the last four, turned by one place more.
+  alignas(64) static constexpr std::uint8_t turns[64] = { 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, //
+    4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, //
+    8, 9, 10, 11, 12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7, //
+    12, 13, 14, 15, 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11 };
+  const hn::CappedTag<int, 16> d;
+  const hn::Repartition<std::uint8_t, decltype(d)> bytes;
+  const auto first = hn::LoadDup128(d, pixels);
+  const auto last = hn::BitCast(bytes, hn::LoadDup128(d, pixels + 4));
+  auto areSame = [&](int from)
+  { return hn::Eq(first, hn::BitCast(d, hn::TableLookupBytes(last, hn::Load(bytes, turns + from)))); };
+  if constexpr (hn::MaxLanes(d) < 16)
+  {
+    return !hn::AllFalse(d, hn::Or(areSame(0), areSame(32)));
+  }
+  return !hn::AllFalse(d, areSame(0));
 }
 
 /// Fragments of two pixels at once. Each is loaded and stored alone, as the next cell may pair it otherwise: a load of
@@ -59,10 +71,11 @@ HWY_INLINE void BlendPair(TileBuffer::Pixel& first, TileBuffer::Pixel& second, c
   hn::Store(hn::UpperHalf(half, sum), half, &second.Red);
 }
 
-/// Blends the eight fragments from `begin` of the vector at `at`, unless two lie in one pixel and would change places.
-HWY_INLINE bool BlendEight(const TileFragments& q, int at, int begin, TileBuffer& tile)
+/// Blends the eight fragments from `Begin` of the vector at `at`, unless two lie in one pixel and would change places.
+template <int Begin>
+HWY_INLINE bool BlendEight(const TileFragments& q, int at, TileBuffer& tile)
 {
-  const int* pixels = q.Pixel + at + begin;
+  const int* pixels = q.Pixel + at + Begin;
   if (ShareAnyPixel(pixels))
   {
     return false;
@@ -71,29 +84,37 @@ HWY_INLINE bool BlendEight(const TileFragments& q, int at, int begin, TileBuffer
   {
     // In slots a fragment and the fourth behind it are neighbours.
     BlendPair(
-      tile.Pixels[pixels[k]], tile.Pixels[pixels[k + 4]], q.Slots[at + ColorSlot(begin + k)]);
+      tile.Pixels[pixels[k]], tile.Pixels[pixels[k + 4]], q.Slots[at + ColorSlot(Begin + k)]);
   }
   return true;
 }
 #endif
 
+/// Blends eight fragments of a full vector, or all of a shorter one. Where they begin is known to the compiler: it takes
+/// more time to compute their slots than to blend them.
+template <int Begin>
+HWY_INLINE void BlendPart(const TileFragments& q, int at, TileBuffer& tile)
+{
+#if HWY_TARGET <= HWY_AVX2
+  if (BlendEight<Begin>(q, at, tile))
+  {
+    return;
+  }
+#endif
+  constexpr int lanes = static_cast<int>(hn::MaxLanes(ColorFloat()));
+  for (int k = Begin; k < Begin + std::min(lanes, 8); ++k)
+  {
+    BlendFragment(tile.Pixels[q.Pixel[at + k]], q.Slots[at + ColorSlot(k)]);
+  }
+}
+
 /// Blends a full vector.
 HWY_INLINE void BlendVector(const TileFragments& q, int at, TileBuffer& tile)
 {
-  constexpr int lanes = static_cast<int>(hn::MaxLanes(ColorFloat()));
-  constexpr int step = lanes < 8 ? lanes : 8;
-  for (int begin = 0; begin < lanes; begin += step)
+  BlendPart<0>(q, at, tile);
+  if constexpr (hn::MaxLanes(ColorFloat()) > 8)
   {
-#if HWY_TARGET <= HWY_AVX2
-    if (BlendEight(q, at, begin, tile))
-    {
-      continue;
-    }
-#endif
-    for (int k = begin; k < begin + step; ++k)
-    {
-      BlendFragment(tile.Pixels[q.Pixel[at + k]], q.Slots[at + ColorSlot(k)]);
-    }
+    BlendPart<8>(q, at, tile);
   }
 }
 
