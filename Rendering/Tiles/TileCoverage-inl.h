@@ -113,20 +113,53 @@ HWY_INLINE int AppendSpans(const TileGroup& g, int k, int count, TileFragments& 
                                 : AppendRows<true>(&g.Spans[0][k], g.Height[k], count, out.RowPixel);
 }
 
+/// How many of a cell's faces are entries: known to the compiler, a loop for each number.
+template <int Entries>
+struct CoverEntries
+{
+  HWY_INLINE explicit CoverEntries(int) {}
+
+  /// Of the planes with the entries first: the last entry, and the first exit.
+  HWY_INLINE void Find(const CoverVector* u, CoverVector& entry, CoverVector& exit) const
+  {
+    entry = u[0];
+    exit = u[Entries];
+    for (int f = 1; f < Entries; ++f)
+    {
+      entry = hn::Min(entry, u[f]);
+    }
+    for (int f = Entries + 1; f < 4; ++f)
+    {
+      exit = hn::Max(exit, u[f]);
+    }
+  }
+};
+
+/// 1, 2 or 3 as the cells have it: one loop, where masks cost nothing and a branch that nobody can guess does.
+template <>
+struct CoverEntries<0>
+{
+  hn::Mask<CoverFloat> Second, Third;
+
+  HWY_INLINE explicit CoverEntries(int entries)
+    : Second(hn::RebindMask(CoverFloat(), hn::Gt(hn::Set(CoverInt(), entries), hn::Set(CoverInt(), 1))))
+    , Third(hn::RebindMask(CoverFloat(), hn::Gt(hn::Set(CoverInt(), entries), hn::Set(CoverInt(), 2))))
+  {
+  }
+  HWY_INLINE void Find(const CoverVector* u, CoverVector& entry, CoverVector& exit) const
+  {
+    entry = hn::IfThenElse(this->Second, hn::Min(u[0], u[1]), u[0]);
+    entry = hn::IfThenElse(this->Third, hn::Min(entry, u[2]), entry);
+    exit = hn::IfThenElse(this->Third, u[3], hn::Max(u[3], u[2]));
+    exit = hn::IfThenElse(this->Second, exit, hn::Max(exit, u[1]));
+  }
+};
+
 /// Between the entry planes and the others, of which the last two may be cuts: the last entry, and the first exit.
 template <int Entries, int Planes>
-HWY_INLINE void FindInside(const CoverVector (&u)[Planes], CoverVector& entry, CoverVector& exit)
+HWY_INLINE void FindInside(const CoverEntries<Entries>& entries, const CoverVector (&u)[Planes], CoverVector& entry, CoverVector& exit)
 {
-  entry = u[0];
-  exit = u[Entries];
-  for (int f = 1; f < Entries; ++f)
-  {
-    entry = hn::Min(entry, u[f]);
-  }
-  for (int f = Entries + 1; f < 4; ++f)
-  {
-    exit = hn::Max(exit, u[f]);
-  }
+  entries.Find(u, entry, exit);
   if (Planes > 4)
   {
     entry = hn::Min(entry, u[Planes - 2]);
@@ -153,7 +186,7 @@ struct CoverLine
 };
 
 /// The planes of a cell, and its scalar.
-template <int Entries, int Planes>
+template <int Planes>
 struct CoverLines
 {
   CoverLine Plane[Planes], Scalar;
@@ -180,7 +213,8 @@ HWY_INLINE void CompleteFragments(
   const CoverFloat d;
   const CoverInt di;
   const int corner = CornerPixel(g, k);
-  const CoverLines<Entries, Planes> lines(g, k, faces);
+  const CoverLines<Planes> lines(g, k, faces);
+  const CoverEntries<Entries> entries(TheFaceLists.Entries[g.Entries[k]]);
   for (int at = begin; at < end; at += static_cast<int>(hn::Lanes(d)))
   {
     const auto pixel = hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::uint16_t, CoverInt>(), out.RowPixel + at));
@@ -191,7 +225,7 @@ HWY_INLINE void CompleteFragments(
     {
       u[i] = lines.Plane[i].At(places);
     }
-    FindInside<Entries, Planes>(u, entry, exit);
+    FindInside(entries, u, entry, exit);
     // The ends of a row are rounded otherwise.
     const auto extent = hn::Max(hn::Sub(entry, exit), hn::Zero(d));
     const auto scalar = hn::MulAdd(lines.ScalarU, entry, lines.Scalar.At(places));
@@ -241,6 +275,10 @@ inline void CompleteRun(const TileGroup& group, const CoverRun& run, TileFragmen
     {
       continue;
     }
+#if HWY_TARGET <= HWY_AVX3
+    CompleteCell<0>(group, k, faces, begin, end, out);
+    continue;
+#endif
     switch (lists.Entries[set])
     {
       case 1:
