@@ -135,7 +135,7 @@ struct CoverEntries
   }
 };
 
-/// 1, 2 or 3 as the cells have it: one loop, where masks cost nothing and a branch that nobody can guess does.
+/// 1, 2 or 3, as the cell has it: one loop for all, where masks cost less than a branch that nobody can guess.
 template <>
 struct CoverEntries<0>
 {
@@ -157,7 +157,8 @@ struct CoverEntries<0>
 
 /// Between the entry planes and the others, of which the last two may be cuts: the last entry, and the first exit.
 template <int Entries, int Planes>
-HWY_INLINE void FindInside(const CoverEntries<Entries>& entries, const CoverVector (&u)[Planes], CoverVector& entry, CoverVector& exit)
+HWY_INLINE void FindInside(
+  const CoverEntries<Entries>& entries, const CoverVector (&u)[Planes], CoverVector& entry, CoverVector& exit)
 {
   entries.Find(u, entry, exit);
   if (Planes > 4)
@@ -262,34 +263,38 @@ struct CoverRun
   int Begin[TileGroup::Size + 1];
 };
 
+/// The rest of a cell's fragments, of the number of its entry faces; lanes of four are worth a branch.
+HWY_INLINE void CompleteByEntries(const TileGroup& g, int k, int begin, int end, TileFragments& out)
+{
+  const FaceLists& lists = TheFaceLists;
+  const int* faces = lists.Faces[g.Entries[k]];
+  if (hn::MaxLanes(CoverFloat()) > 4)
+  {
+    CompleteCell<0>(g, k, faces, begin, end, out);
+    return;
+  }
+  switch (lists.Entries[g.Entries[k]])
+  {
+    case 1:
+      CompleteCell<1>(g, k, faces, begin, end, out);
+      break;
+    case 2:
+      CompleteCell<2>(g, k, faces, begin, end, out);
+      break;
+    default:
+      CompleteCell<3>(g, k, faces, begin, end, out);
+      break;
+  }
+}
+
 /// The rest of the fragments of a run.
 inline void CompleteRun(const TileGroup& group, const CoverRun& run, TileFragments& out)
 {
-  const FaceLists& lists = TheFaceLists;
   for (int k = run.First; k < run.End; ++k)
   {
-    const int begin = run.Begin[k], end = run.Begin[k + 1];
-    const int set = group.Entries[k];
-    const int* faces = lists.Faces[set];
-    if (begin == end)
+    if (run.Begin[k] != run.Begin[k + 1])
     {
-      continue;
-    }
-#if HWY_TARGET <= HWY_AVX3
-    CompleteCell<0>(group, k, faces, begin, end, out);
-    continue;
-#endif
-    switch (lists.Entries[set])
-    {
-      case 1:
-        CompleteCell<1>(group, k, faces, begin, end, out);
-        break;
-      case 2:
-        CompleteCell<2>(group, k, faces, begin, end, out);
-        break;
-      default:
-        CompleteCell<3>(group, k, faces, begin, end, out);
-        break;
+      CompleteByEntries(group, k, run.Begin[k], run.Begin[k + 1], out);
     }
   }
 }
