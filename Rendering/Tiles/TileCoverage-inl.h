@@ -79,29 +79,37 @@ HWY_INLINE void StoreRowBlock(std::uint16_t start, std::uint16_t* at)
   }
 }
 
-/// The rows of a cell that is no wider than a block, or wider; returns how many pixels the queue has then.
+/// So many rows of a cell that is no wider than a block, or wider, behind `count` pixels of the queue.
+template <bool Wide, int Rows>
+HWY_INLINE void AppendStep(const std::int32_t*& spans, std::size_t& count, std::uint16_t* pixels)
+{
+  for (int row = 0; row < Rows; ++row)
+  {
+    // Two loads: the first one spreads what it loads.
+    std::uint16_t halves[2];
+    const char* const bytes = reinterpret_cast<const char*>(spans);
+    std::memcpy(&halves[0], bytes + 2 * TileGroup::LowerHalf, sizeof halves[0]);
+    std::memcpy(&halves[1], bytes + 2 * (1 - TileGroup::LowerHalf), sizeof halves[1]);
+    std::uint16_t* at = pixels + count;
+    StoreRowBlock(halves[0], at);
+    for (int i = RowBlock; Wide && i < halves[1]; i += RowBlock)
+    {
+      StoreRowBlock(static_cast<std::uint16_t>(halves[0] + i), at + i);
+    }
+    count += halves[1];
+    spans += TileGroup::Size;
+  }
+}
+
+/// The rows of a cell; returns how many pixels the queue has then.
 template <bool Wide>
 HWY_INLINE int AppendRows(const std::int32_t* spans, int height, int begin, std::uint16_t* pixels)
 {
   auto count = static_cast<std::size_t>(begin);
-  for (int first = 0; first < height; first += TileGroup::RowStep)
+  AppendStep<Wide, TileGroup::FirstRows>(spans, count, pixels);
+  for (int first = TileGroup::FirstRows; first < height; first += TileGroup::RowStep)
   {
-    for (int row = 0; row < TileGroup::RowStep; ++row)
-    {
-      // Two loads: the first one spreads what it loads.
-      std::uint16_t halves[2];
-      const char* const bytes = reinterpret_cast<const char*>(spans);
-      std::memcpy(&halves[0], bytes + 2 * TileGroup::LowerHalf, sizeof halves[0]);
-      std::memcpy(&halves[1], bytes + 2 * (1 - TileGroup::LowerHalf), sizeof halves[1]);
-      std::uint16_t* at = pixels + count;
-      StoreRowBlock(halves[0], at);
-      for (int i = RowBlock; Wide && i < halves[1]; i += RowBlock)
-      {
-        StoreRowBlock(static_cast<std::uint16_t>(halves[0] + i), at + i);
-      }
-      count += halves[1];
-      spans += TileGroup::Size;
-    }
+    AppendStep<Wide, TileGroup::RowStep>(spans, count, pixels);
   }
   return static_cast<int>(count);
 }

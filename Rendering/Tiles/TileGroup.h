@@ -41,14 +41,15 @@ struct TileGroup
   /** Not 0: a part is transparent, the cuts are set. */
   alignas(64) int Cut[Size];
   /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers, in the lower
-   *  and the upper half; rows are read in steps of so many. */
+   *  and the upper half. So many rows are read in any case, more in steps: where one ends nobody can guess. */
+  static constexpr int FirstRows = 8;
   static constexpr int RowStep = 4;
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
   static constexpr int LowerHalf = 1;
 #else
   static constexpr int LowerHalf = 0;
 #endif
-  alignas(64) std::int32_t Spans[TileSize::MostRows + RowStep][Size];
+  alignas(64) std::int32_t Spans[TileSize::MostRows + FirstRows][Size];
 };
 
 #endif

@@ -16,6 +16,7 @@
 
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <cstdint>
 
 HWY_BEFORE_NAMESPACE();
@@ -222,7 +223,8 @@ HWY_INLINE void FindSpans(TileGroup& group, int lane)
   auto corner = hn::Add(hn::Sub(hn::Load(di, group.Left + lane), hn::Set(di, AboveWhole)),
     hn::ShiftLeft<TileSize::Shift>(hn::Load(di, group.Bottom + lane)));
   // To the end of the last step of rows.
-  const int end = (rows + TileGroup::RowStep - 1) / TileGroup::RowStep * TileGroup::RowStep;
+  const int end =
+    std::max((rows + TileGroup::RowStep - 1) / TileGroup::RowStep * TileGroup::RowStep, TileGroup::FirstRows);
   for (int row = 0; row < end; ++row)
   {
     SpanVector first, count;
