@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <numeric>
-#include <tuple>
 
 //------------------------------------------------------------------------------
 int TileRepair::Find(const TileBuffer& tile)
@@ -75,29 +74,68 @@ void TileRepair::Collect(const TileFragments& q)
   {
     if (this->Marked[q.Pixel[i]])
     {
-      this->Fragments.push_back({ q.Entry[i], q.Extent[i], q.ScalarIn[i], q.ScalarOut[i],
-        q.Pixel[i], q.Cell[i], 0.0f, static_cast<unsigned int>(this->Fragments.size()) });
+      this->Fragments.push_back(
+        { q.Entry[i], q.Extent[i], q.ScalarIn[i], q.ScalarOut[i], q.Pixel[i], q.Cell[i] });
     }
+  }
+}
+
+//------------------------------------------------------------------------------
+float TileRepair::DepthOf(const Fragment& fragment, const TileView& view)
+{
+  const double in = fragment.Entry, out = in - fragment.Extent;
+  // Twice the depth of the middle: in perspective u is 1 / depth.
+  const double weightIn = view.WeightScale * in + view.WeightOffset;
+  const double weightOut = view.WeightScale * out + view.WeightOffset;
+  const double depth = view.WeightScale > 0.0
+    ? (weightIn + weightOut) / (weightIn * weightOut) - 2.0 / view.WeightOffset
+    : -(in + out);
+  // What is not a number comes last: it would have no place in an order.
+  return depth < 3e38 ? static_cast<float>(depth) : 3e38f;
+}
+
+//------------------------------------------------------------------------------
+void TileRepair::SortPixel(Key* first, Key* last, Key* spare)
+{
+  // Pieces come in few runs that are in order, one behind the other's beginning: these are merged, two and two.
+  auto isNearer = [](const Key& a, const Key& b) { return a.Depth < b.Depth; };
+  while (!std::is_sorted(first, last, isNearer))
+  {
+    Key* merged = spare;
+    for (Key* run = first; run != last;)
+    {
+      Key* const middle = std::is_sorted_until(run, last, isNearer);
+      Key* const end = std::is_sorted_until(middle, last, isNearer);
+      merged = std::merge(run, middle, middle, end, merged, isNearer);
+      run = end;
+    }
+    std::copy(spare, merged, first);
   }
 }
 
 //------------------------------------------------------------------------------
 void TileRepair::Sort(const TileView& view)
 {
-  for (Fragment& fragment : this->Fragments)
+  this->Keys.resize(this->Fragments.size());
+  this->Spare.resize(this->Fragments.size());
+  this->Ends.assign(TileBuffer::Size + 1, 0);
+  for (const Fragment& fragment : this->Fragments)
   {
-    const double in = fragment.Entry, out = in - fragment.Extent;
-    // Twice the depth of the middle: in perspective u is 1 / depth.
-    const double weightIn = view.WeightScale * in + view.WeightOffset;
-    const double weightOut = view.WeightScale * out + view.WeightOffset;
-    const double depth = view.WeightScale > 0.0 ? (weightIn + weightOut) / (weightIn * weightOut) -
-                                                    2.0 / view.WeightOffset
-                                                : -(in + out);
-    fragment.Depth = static_cast<float>(depth);
+    ++this->Ends[fragment.Pixel + 1];
   }
-  std::sort(this->Fragments.begin(), this->Fragments.end(),
-    [](const Fragment& a, const Fragment& b)
-    { return std::tie(a.Pixel, a.Depth, a.Place) < std::tie(b.Pixel, b.Depth, b.Place); });
+  std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin());
+  for (std::size_t i = 0; i < this->Fragments.size(); ++i)
+  {
+    const Fragment& fragment = this->Fragments[i];
+    this->Keys[this->Ends[fragment.Pixel]++] = { DepthOf(fragment, view), static_cast<std::uint32_t>(i) };
+  }
+  std::uint32_t begin = 0;
+  for (int pixel = 0; pixel < TileBuffer::Size; ++pixel)
+  {
+    const std::uint32_t end = this->Ends[pixel];
+    SortPixel(this->Keys.data() + begin, this->Keys.data() + end, this->Spare.data());
+    begin = end;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -116,9 +154,9 @@ void TileRepair::Clear(TileBuffer& tile) const
 bool TileRepair::Take(TileFragments& out)
 {
   out.Count = 0;
-  while (this->Taken < this->Fragments.size() && out.Count < out.Full)
+  while (this->Taken < this->Keys.size() && out.Count < out.Full)
   {
-    const Fragment& fragment = this->Fragments[this->Taken++];
+    const Fragment& fragment = this->Fragments[this->Keys[this->Taken++].Fragment];
     const int at = out.Count++;
     out.Entry[at] = fragment.Entry;
     out.Extent[at] = fragment.Extent;
@@ -128,4 +166,12 @@ bool TileRepair::Take(TileFragments& out)
     out.Cell[at] = fragment.Cell;
   }
   return out.Count > 0;
+}
+
+//------------------------------------------------------------------------------
+std::size_t TileRepair::GetMemorySize() const
+{
+  return this->Fragments.capacity() * sizeof(Fragment) +
+    (this->Keys.capacity() + this->Spare.capacity()) * sizeof(Key) +
+    this->Ends.capacity() * sizeof(std::uint32_t) + this->Marked.capacity();
 }

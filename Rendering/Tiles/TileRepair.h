@@ -33,19 +33,29 @@ public:
   /** Moves the next ones into the queue; false where none are left. */
   bool Take(TileFragments& out);
 
-  std::size_t GetMemorySize() const { return this->Fragments.capacity() * sizeof(Fragment); }
+  std::size_t GetMemorySize() const;
 
 private:
   struct Fragment
   {
     float Entry, Extent, ScalarIn, ScalarOut;
     int Pixel, Cell;
-    // How far its middle is, and when it came.
-    float Depth;
-    unsigned int Place;
   };
+  /** How far a fragment's middle is, and which one it is. */
+  struct Key
+  {
+    float Depth;
+    std::uint32_t Fragment;
+  };
+
+  static float DepthOf(const Fragment& fragment, const TileView& view);
+  static void SortPixel(Key* first, Key* last, Key* spare);
+
   std::vector<unsigned char> Marked;
   std::vector<Fragment> Fragments;
+  // Pixel after pixel, and as many to merge into; where each pixel's end.
+  std::vector<Key> Keys, Spare;
+  std::vector<std::uint32_t> Ends;
   std::size_t Taken = 0;
 };
 
