@@ -70,6 +70,21 @@ Links LinksOf(const TileTask& task, std::vector<std::uint8_t>& blockers)
   return { task.Mesh->Neighbours.data(), task.Cells->Faces.data(), blockers.data() + 1 };
 }
 
+// Cells fetch the corners of those that come so many later.
+constexpr int Ahead = 8;
+
+// What DepthOf needs of ids[i], and half way before that where its corners are.
+HWY_INLINE void PrefetchCorners(const TileTask& task, const int* ids, int i, int count)
+{
+  const int* const corners = task.Mesh->Corners.data();
+  hwy::Prefetch(corners + 4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)]));
+  const int* const cell = corners + 4 * static_cast<std::size_t>(ids[std::min(i, count - 1)]);
+  for (int k = 0; k < 4; ++k)
+  {
+    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(cell[k])]);
+  }
+}
+
 // How far a cell's nearest corner is.
 float DepthOf(const TileTask& task, int cell)
 {
@@ -174,19 +189,21 @@ void TileOrder::FindSteps(const TileTask& task, const int* ids, int count)
   float nearest = 3e38f, farthest = -3e38f;
   for (int i = 0; i < count; ++i)
   {
+    PrefetchCorners(task, ids, i + Ahead, count);
     const float depth = DepthOf(task, ids[i]);
     this->Depths[i] = depth;
     nearest = std::min(nearest, depth);
     farthest = depth < Unknown ? std::max(farthest, depth) : farthest;
   }
   const float perStep = nearest < farthest ? (Steps - 1) / (farthest - nearest) : 0.0f;
-  this->StepOf.resize(task.Mesh->Source.size());
+  this->StepOf.resize(task.Mesh->Source.size() + 1);
+  std::uint8_t* const stepOf = this->StepOf.data() + 1;
   for (int i = 0; i < count; ++i)
   {
     const float depth = this->Depths[i];
     // What is not a number comes first.
     const float step = depth < Unknown ? std::max(0.0f, (depth - nearest) * perStep) : 0.0f;
-    this->StepOf[ids[i]] = static_cast<std::uint8_t>(std::min(step, Steps - 1.0f));
+    stepOf[ids[i]] = static_cast<std::uint8_t>(std::min(step, Steps - 1.0f));
   }
 }
 
@@ -194,39 +211,42 @@ void TileOrder::FindSteps(const TileTask& task, const int* ids, int count)
 int TileOrder::ReleaseNearest(const TileTask& task, const int* ids, int count, int* sorted)
 {
   const Links links = LinksOf(task, this->Blockers);
-  // The free cells of every step are a list.
-  this->FreeCells.clear();
+  const std::uint8_t* const stepOf = this->StepOf.data() + 1;
+  // The free cells of every step are a list. As in ReleaseAll no branch depends on which cells come free, and none waits
+  // for what the one before it finds.
+  this->FreeCells.resize(static_cast<std::size_t>(count) + 1);
+  FreeCell* const free = this->FreeCells.data();
   std::array<int, Steps> first;
   first.fill(None);
-  auto add = [&](int cell, int step)
+  int added = 0;
+  auto add = [&](int cell, int step, unsigned int isFree)
   {
-    this->FreeCells.push_back({ cell, first[step] });
-    first[step] = static_cast<int>(this->FreeCells.size()) - 1;
+    free[added] = { cell, first[step] };
+    first[step] = isFree != 0 ? added : first[step];
+    added += static_cast<int>(isFree);
   };
   for (int i = count - 1; i >= 0; --i)
   {
-    if (links.Blockers[ids[i]] == Present)
-    {
-      add(ids[i], this->StepOf[ids[i]]);
-    }
+    add(ids[i], stepOf[ids[i]], links.Blockers[ids[i]] == Present ? 1 : 0);
   }
   int taken = 0;
   for (int step = 0; step < Steps; ++step)
   {
     while (first[step] != None)
     {
-      const FreeCell free = this->FreeCells[first[step]];
-      first[step] = free.Next;
-      sorted[taken++] = free.Cell;
-      links.Blockers[free.Cell] = 0;
-      links.Release(free.Cell,
-        [&](int cell, unsigned int isFree)
-        {
-          if (isFree != 0)
-          {
-            add(cell, std::max<int>(step, this->StepOf[cell]));
-          }
-        });
+      int last = taken;
+      for (; first[step] != None && last < taken + static_cast<int>(Batch); ++last)
+      {
+        const FreeCell& next = free[first[step]];
+        sorted[last] = next.Cell;
+        links.Blockers[next.Cell] = 0;
+        first[step] = next.Next;
+      }
+      for (; taken < last; ++taken)
+      {
+        links.Release(sorted[taken], [&](int cell, unsigned int isFree)
+          { add(cell, std::max<int>(step, stepOf[cell]), isFree); });
+      }
     }
   }
   return taken;

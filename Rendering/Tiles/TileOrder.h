@@ -47,7 +47,7 @@ private:
   // come, and Present where it is to come itself. Between tiles all are 0.
   std::vector<std::uint8_t> Blockers;
   std::vector<int> Entered;
-  // How far each cell of a tile is; of every cell of the mesh, in which step of the tile's depth.
+  // How far each cell of a tile is; of every cell of the mesh, after an unused one, in which step of the tile's depth.
   std::vector<float> Depths;
   std::vector<std::uint8_t> StepOf;
   std::vector<FreeCell> FreeCells;
