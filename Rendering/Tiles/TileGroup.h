@@ -49,7 +49,7 @@ struct TileGroup
 #else
   static constexpr int LowerHalf = 0;
 #endif
-  alignas(64) std::int32_t Spans[TileSize::MostRows + FirstRows][Size];
+  alignas(64) std::int32_t Spans[TileSize::MostRows + RowStep][Size];
 };
 
 #endif
