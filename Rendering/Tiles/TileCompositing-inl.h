@@ -56,7 +56,10 @@ HWY_INLINE bool ShareAnyPixel(const int* pixels)
   {
     return !hn::AllFalse(d, hn::Or(areSame(0), areSame(32)));
   }
-  return !hn::AllFalse(d, areSame(0));
+  else
+  {
+    return !hn::AllFalse(d, areSame(0));
+  }
 }
 
 /// Fragments of two pixels at once. Each is loaded and stored alone, as the next cell may pair it otherwise: a load of
@@ -90,8 +93,8 @@ HWY_INLINE bool BlendEight(const TileFragments& q, int at, TileBuffer& tile)
 }
 #endif
 
-/// Blends eight fragments of a full vector, or all of a shorter one. Where they begin is known to the compiler: it takes
-/// more time to compute their slots than to blend them.
+/// Blends eight fragments of a full vector, or all of a shorter one. The compiler knows where they begin: to compute their
+/// slots each time would take as long as to blend them.
 template <int Begin>
 HWY_INLINE void BlendPart(const TileFragments& q, int at, TileBuffer& tile)
 {

@@ -121,7 +121,7 @@ HWY_INLINE int AppendSpans(const TileGroup& g, int k, int count, TileFragments& 
                                 : AppendRows<true>(&g.Spans[0][k], g.Height[k], count, out.RowPixel);
 }
 
-/// How many of a cell's faces are entries: known to the compiler, a loop for each number.
+/// How many of a cell's faces are entries: a loop for each number, or with 0 one for all.
 template <int Entries>
 struct CoverEntries
 {
@@ -271,7 +271,7 @@ struct CoverRun
   int Begin[TileGroup::Size + 1];
 };
 
-/// The rest of a cell's fragments, of the number of its entry faces; lanes of four are worth a branch.
+/// The rest of a cell's fragments: a loop for each number of entry faces where vectors have four lanes, else one for all.
 HWY_INLINE void CompleteByEntries(const TileGroup& g, int k, int begin, int end, TileFragments& out)
 {
   const FaceLists& lists = TheFaceLists;

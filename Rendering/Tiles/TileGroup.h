@@ -40,15 +40,18 @@ struct TileGroup
   alignas(64) int Exact[Size];
   /** Not 0: a part is transparent, the cuts are set. */
   alignas(64) int Cut[Size];
-  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers, in the lower
-   *  and the upper half. So many rows are read in any case, more in steps: where one ends nobody can guess. */
+  /** FirstRows are read of every cell, whether it has them or not, then RowStep at a time: no processor guesses how high
+   *  a cell is. */
   static constexpr int FirstRows = 8;
   static constexpr int RowStep = 4;
+  static_assert(FirstRows % RowStep == 0 && FirstRows <= TileSize::MostRows, "what is read was written");
 #if defined(__BYTE_ORDER__) && __BYTE_ORDER__ == __ORDER_BIG_ENDIAN__
   static constexpr int LowerHalf = 1;
 #else
   static constexpr int LowerHalf = 0;
 #endif
+  /** Of the rows of the boxes: the pixel of the tile's where a cell begins, and how many pixels it covers, in the lower
+   *  and the upper half. */
   alignas(64) std::int32_t Spans[TileSize::MostRows + RowStep][Size];
 };
 

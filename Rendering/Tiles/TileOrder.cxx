@@ -73,7 +73,7 @@ Links LinksOf(const TileTask& task, std::vector<std::uint8_t>& blockers)
 // Cells fetch the corners of those that come so many later.
 constexpr int Ahead = 8;
 
-// What DepthOf needs of ids[i], and half way before that where its corners are.
+// Fetches the corners of ids[i], and of the cell as many places later which corners it has.
 HWY_INLINE void PrefetchCorners(const TileTask& task, const int* ids, int i, int count)
 {
   const int* const corners = task.Mesh->Corners.data();
@@ -212,8 +212,8 @@ int TileOrder::ReleaseNearest(const TileTask& task, const int* ids, int count, i
 {
   const Links links = LinksOf(task, this->Blockers);
   const std::uint8_t* const stepOf = this->StepOf.data() + 1;
-  // The free cells of every step are a list. As in ReleaseAll no branch depends on which cells come free, and none waits
-  // for what the one before it finds.
+  // The free cells of every step are a list. As in ReleaseAll no branch asks which neighbours came free: each is written to
+  // the next place of FreeCells, which is kept if it did.
   this->FreeCells.resize(static_cast<std::size_t>(count) + 1);
   FreeCell* const free = this->FreeCells.data();
   std::array<int, Steps> first;

@@ -47,7 +47,8 @@ private:
   // come, and Present where it is to come itself. Between tiles all are 0.
   std::vector<std::uint8_t> Blockers;
   std::vector<int> Entered;
-  // How far each cell of a tile is; of every cell of the mesh, after an unused one, in which step of the tile's depth.
+  // How far each cell of a tile is; of every cell of the mesh, after an unused one, in which step of the tile's depth;
+  // those of other tiles' cells are read but never used.
   std::vector<float> Depths;
   std::vector<std::uint8_t> StepOf;
   std::vector<FreeCell> FreeCells;

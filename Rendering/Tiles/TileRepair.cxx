@@ -97,7 +97,7 @@ float TileRepair::DepthOf(const Fragment& fragment, const TileView& view)
 //------------------------------------------------------------------------------
 void TileRepair::SortPixel(Key* first, Key* last, Key* spare)
 {
-  // Pieces come in few runs that are in order, one behind the other's beginning: these are merged, two and two.
+  // Pieces come in a few ascending runs: neighbouring ones are merged until one is left.
   auto isNearer = [](const Key& a, const Key& b) { return a.Depth < b.Depth; };
   while (!std::is_sorted(first, last, isNearer))
   {
@@ -124,6 +124,7 @@ void TileRepair::Sort(const TileView& view)
     ++this->Ends[fragment.Pixel + 1];
   }
   std::partial_sum(this->Ends.begin(), this->Ends.end(), this->Ends.begin());
+  // Where pixels begin; each moves to its end as its keys are placed.
   for (std::size_t i = 0; i < this->Fragments.size(); ++i)
   {
     const Fragment& fragment = this->Fragments[i];

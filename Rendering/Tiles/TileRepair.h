@@ -53,7 +53,7 @@ private:
 
   std::vector<unsigned char> Marked;
   std::vector<Fragment> Fragments;
-  // Pixel after pixel, and as many to merge into; where each pixel's end.
+  // Pixel after pixel, and as many to merge into; where the keys of each pixel end.
   std::vector<Key> Keys, Spare;
   std::vector<std::uint32_t> Ends;
   std::size_t Taken = 0;

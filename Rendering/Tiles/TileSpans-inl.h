@@ -222,7 +222,7 @@ HWY_INLINE void FindSpans(TileGroup& group, int lane)
   const int rows = hn::GetLane(hn::MaxOfLanes(di, hn::Load(di, group.Height + lane)));
   auto corner = hn::Add(hn::Sub(hn::Load(di, group.Left + lane), hn::Set(di, AboveWhole)),
     hn::ShiftLeft<TileSize::Shift>(hn::Load(di, group.Bottom + lane)));
-  // To the end of the last step of rows.
+  // As many as are read.
   const int end =
     std::max((rows + TileGroup::RowStep - 1) / TileGroup::RowStep * TileGroup::RowStep, TileGroup::FirstRows);
   for (int row = 0; row < end; ++row)

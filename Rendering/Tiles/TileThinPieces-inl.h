@@ -49,7 +49,7 @@ struct ThinLine
     const ShadeFloat d;
     const auto below = hn::Sub(hn::Set(d, this->Piece->Low), hn::Min(course.First, course.Last));
     const auto above = hn::Sub(hn::Max(course.First, course.Last), hn::Set(d, this->Piece->High));
-    // The depth apart: where a scalar is not a number neither is it, which a maximum may leave out.
+    // The depth apart: it is not a number where a scalar is not, and Max may take the other one then.
     const auto isThin = hn::Le(depth, hn::Set(d, DeepestThin));
     return hn::AllTrue(d, hn::And(hn::Le(hn::Max(below, above), hn::Zero(d)), isThin));
   }

@@ -81,6 +81,36 @@ struct Tile
     return wrong;
   }
 
+  /// Cells of which none has a face of another one, and all of which are known in floats.
+  Ids TakeApart(double share, unsigned int seed) const
+  {
+    std::vector<char> isTaken(static_cast<std::size_t>(this->Mesh.GetNumberOfCells()), 0);
+    Ids ids;
+    for (const int cell : this->TakeSome(share, seed))
+    {
+      const int* neighbours = &this->Mesh.Neighbours[4 * cell];
+      const bool isApart = std::none_of(
+        neighbours, neighbours + 4, [&isTaken](int other) { return other >= 0 && isTaken[other] != 0; });
+      if (isApart && (this->Cells.Faces[cell] & TileCells::Exact) == 0)
+      {
+        isTaken[cell] = 1;
+        ids.push_back(cell);
+      }
+    }
+    return ids;
+  }
+
+  /// How far a cell's nearest corner is.
+  double DepthOf(int cell) const
+  {
+    double u = -1e30;
+    for (int k = 0; k < 4; ++k)
+    {
+      u = std::max<double>(u, this->Vertices.Values[4 * this->Mesh.Corners[4 * cell + k] + 2]);
+    }
+    return 1.0 / (u + this->View.WeightOffset);
+  }
+
   /// Lets a cell and one behind it hide each other; returns whether there was one.
   bool MakeCircle(int cell)
   {
@@ -167,6 +197,26 @@ void CheckCircles(TestChecks& checks, Tile tile)
     CHECK(tile.CountWrong(again) == 0);
   }
 }
+
+// Of a sparse mesh those that nothing hides come nearest first, but for what is less than a step of the tile's depth.
+void CheckNearest(TestChecks& checks, const Tile& tile)
+{
+  TileOrder order;
+  for (unsigned int seed = 0; seed < 5; ++seed)
+  {
+    Ids ids = tile.TakeApart(0.5, seed);
+    CHECK(ids.size() > 100);
+    std::vector<double> depths;
+    Sort(order, tile, ids);
+    std::transform(
+      ids.begin(), ids.end(), std::back_inserter(depths), [&tile](int cell) { return tile.DepthOf(cell); });
+    const auto ends = std::minmax_element(depths.begin(), depths.end());
+    const double step = (*ends.second - *ends.first) / 250.0;
+    const bool isNearest = std::is_sorted(
+      depths.begin(), depths.end(), [step](double later, double depth) { return later < depth - step; });
+    CHECK(step > 0.0 && isNearest);
+  }
+}
 }
 
 int TestTileOrder(int, char*[])
@@ -179,6 +229,7 @@ int TestTileOrder(int, char*[])
   few[0] = 1;
   tile.Mesh.SetDrawn(few);
   CheckParts(checks, tile, false);
+  CheckNearest(checks, tile);
   CheckCircles(checks, tile);
   return checks.Result();
 }

@@ -31,8 +31,8 @@ void CheckTimes(TestChecks& checks, const TilesScene& scene)
   CHECK_AT_MOST(sum, scene.SecondsOfEngine);
 }
 
-// Stages, and waiting for them, are nearly all of what the engine takes, whatever else the processors do: of one frame
-// of ten, as this thread may be stopped between two stages.
+// The account is complete: with what waits and what is of no stage it is nearly all that the engine takes, whatever else
+// the processors do; of one frame of ten, as this thread may be stopped between two stages.
 void CheckShare(TestChecks& checks, TilesScene& scene)
 {
   double most = 0.0;
