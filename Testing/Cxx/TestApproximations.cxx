@@ -263,7 +263,9 @@ void CheckCircle(TestChecks& checks)
   scene.Render();
   scene.LookFrom(1.0, 1.0, 1.0);
   scene.Render();
-  CHECK(messages->Count() == 1);
+  // Where the whole suite asks for Tiles that these are by Raster is said, too, once.
+  const int engines = messages->CountOf("drawn by Raster");
+  CHECK(engines <= 1 && messages->Count() == 1 + engines);
   CHECK(messages->CountOf("SetApproximationToNone") == 1);
 }
 }
