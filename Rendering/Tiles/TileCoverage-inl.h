@@ -216,14 +216,14 @@ struct CoverLines
 
 /// The rest of the fragments from `begin` to `end`, whose pixels there are.
 template <int Entries, int Planes>
-HWY_INLINE void CompleteFragments(
-  const TileGroup& g, int k, const int* faces, int begin, int end, TileFragments& out)
+HWY_INLINE void CompleteFragments(const TileGroup& g, int k, int begin, int end, TileFragments& out)
 {
   const CoverFloat d;
   const CoverInt di;
   const int corner = CornerPixel(g, k);
-  const CoverLines<Planes> lines(g, k, faces);
-  const CoverEntries<Entries> entries(TheFaceLists.Entries[g.Entries[k]]);
+  const int set = g.Entries[k];
+  const CoverLines<Planes> lines(g, k, TheFaceLists.Faces[set]);
+  const CoverEntries<Entries> entries(TheFaceLists.Entries[set]);
   for (int at = begin; at < end; at += static_cast<int>(hn::Lanes(d)))
   {
     const auto pixel = hn::PromoteTo(di, hn::LoadU(hn::Rebind<std::uint16_t, CoverInt>(), out.RowPixel + at));
@@ -254,13 +254,12 @@ inline std::uint32_t PackBox(const TileGroup& group, int k)
     : TileBox::Pack(group.Left[k], group.Bottom[k], group.Width[k], group.Height[k]);
 }
 
-/// The rest of a cell's fragments: `faces` has the `Entries` entry faces first.
+/// The rest of a cell's fragments, of `Entries` entry faces or of any number.
 template <int Entries>
-HWY_INLINE void CompleteCell(
-  const TileGroup& g, int k, const int* faces, int begin, int end, TileFragments& out)
+HWY_INLINE void CompleteCell(const TileGroup& g, int k, int begin, int end, TileFragments& out)
 {
-  g.Cut[k] != 0 ? CompleteFragments<Entries, 6>(g, k, faces, begin, end, out)
-                : CompleteFragments<Entries, 4>(g, k, faces, begin, end, out);
+  g.Cut[k] != 0 ? CompleteFragments<Entries, 6>(g, k, begin, end, out)
+                : CompleteFragments<Entries, 4>(g, k, begin, end, out);
 }
 
 /// Cells of a group in floats, one after the other, whose pixels are found and that wait for the rest.
@@ -274,23 +273,21 @@ struct CoverRun
 /// The rest of a cell's fragments: a loop for each number of entry faces where vectors have four lanes, else one for all.
 HWY_INLINE void CompleteByEntries(const TileGroup& g, int k, int begin, int end, TileFragments& out)
 {
-  const FaceLists& lists = TheFaceLists;
-  const int* faces = lists.Faces[g.Entries[k]];
   if (hn::MaxLanes(CoverFloat()) > 4)
   {
-    CompleteCell<0>(g, k, faces, begin, end, out);
+    CompleteCell<0>(g, k, begin, end, out);
     return;
   }
-  switch (lists.Entries[g.Entries[k]])
+  switch (TheFaceLists.Entries[g.Entries[k]])
   {
     case 1:
-      CompleteCell<1>(g, k, faces, begin, end, out);
+      CompleteCell<1>(g, k, begin, end, out);
       break;
     case 2:
-      CompleteCell<2>(g, k, faces, begin, end, out);
+      CompleteCell<2>(g, k, begin, end, out);
       break;
     default:
-      CompleteCell<3>(g, k, faces, begin, end, out);
+      CompleteCell<3>(g, k, begin, end, out);
       break;
   }
 }

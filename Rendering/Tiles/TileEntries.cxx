@@ -1,6 +1,7 @@
 #include "TileEntries.h"
 
 #include "TileMesh.h"
+#include "TilePrefetch.h"
 #include "TileTask.h"
 #include "TileVertices.h"
 #include "TileView.h"
@@ -23,19 +24,13 @@ int FirstFrom(double at, int end)
   return below + (below < inTile ? 1 : 0);
 }
 
-// Inlined: g++ leaves out a call of what does nothing else.
 HWY_INLINE void Prefetch(const TileTask& task, const std::vector<int>& cells, std::size_t at)
 {
   const std::size_t last = cells.size() - 1;
-  const auto later = 4 * static_cast<std::size_t>(cells[std::min(at + 2 * Ahead, last)]);
-  hwy::Prefetch(&task.Mesh->Corners[later]);
-  hwy::Prefetch(&task.Mesh->Neighbours[later]);
-  const int* corners =
-    &task.Mesh->Corners[4 * static_cast<std::size_t>(cells[std::min(at + Ahead, last)])];
-  for (int i = 0; i < 4; ++i)
-  {
-    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
-  }
+  const int later = cells[std::min(at + 2 * Ahead, last)];
+  PrefetchCorners(task, later);
+  hwy::Prefetch(&task.Mesh->Neighbours[4 * static_cast<std::size_t>(later)]);
+  PrefetchPlaces(task, cells[std::min(at + Ahead, last)]);
 }
 }
 

@@ -2,6 +2,7 @@
 
 #include "TileCells.h"
 #include "TileMesh.h"
+#include "TilePrefetch.h"
 #include "TileTask.h"
 #include "TileVertices.h"
 #include "TileView.h"
@@ -72,18 +73,6 @@ Links LinksOf(const TileTask& task, std::vector<std::uint8_t>& blockers)
 
 // Cells fetch the corners of those that come so many later.
 constexpr int Ahead = 8;
-
-// Fetches the corners of ids[i], and of the cell as many places later which corners it has.
-HWY_INLINE void PrefetchCorners(const TileTask& task, const int* ids, int i, int count)
-{
-  const int* const corners = task.Mesh->Corners.data();
-  hwy::Prefetch(corners + 4 * static_cast<std::size_t>(ids[std::min(i + Ahead, count - 1)]));
-  const int* const cell = corners + 4 * static_cast<std::size_t>(ids[std::min(i, count - 1)]);
-  for (int k = 0; k < 4; ++k)
-  {
-    hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(cell[k])]);
-  }
-}
 
 // How far a cell's nearest corner is.
 float DepthOf(const TileTask& task, int cell)
@@ -189,7 +178,8 @@ void TileOrder::FindSteps(const TileTask& task, const int* ids, int count)
   float nearest = 3e38f, farthest = -3e38f;
   for (int i = 0; i < count; ++i)
   {
-    PrefetchCorners(task, ids, i + Ahead, count);
+    PrefetchCorners(task, ids[std::min(i + 2 * Ahead, count - 1)]);
+    PrefetchPlaces(task, ids[std::min(i + Ahead, count - 1)]);
     const float depth = DepthOf(task, ids[i]);
     this->Depths[i] = depth;
     nearest = std::min(nearest, depth);

@@ -8,6 +8,7 @@
 
 #include "TileCellFields.h"
 #include "TileLitShading.h"
+#include "TilePrefetch.h"
 #include "TileProjection.h"
 #include "TileScratch.h"
 
@@ -28,7 +29,6 @@ namespace CellProjectionTiles
 namespace HWY_NAMESPACE
 {
 /// Fetches the corners of the cells from `begin` to `end`, and the cells of a group after that.
-/// Inlined: g++ takes a call of what does nothing else for one without effect, and leaves it out.
 HWY_INLINE void PrefetchCells(
   const TileTask& task, const std::vector<int>& ids, std::size_t begin, std::size_t end)
 {
@@ -37,15 +37,11 @@ HWY_INLINE void PrefetchCells(
   const std::size_t last = std::min(end + end - begin, ids.size());
   for (std::size_t k = later; k < last; ++k)
   {
-    hwy::Prefetch(&task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])]);
+    PrefetchCorners(task, ids[k]);
   }
   for (std::size_t k = soon; k < later; ++k)
   {
-    const int* corners = &task.Mesh->Corners[4 * static_cast<std::size_t>(ids[k])];
-    for (int i = 0; i < 4; ++i)
-    {
-      hwy::Prefetch(&task.Vertices->Values[4 * static_cast<std::size_t>(corners[i])]);
-    }
+    PrefetchPlaces(task, ids[k]);
   }
 }
 

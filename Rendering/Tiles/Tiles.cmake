@@ -98,6 +98,7 @@ list(APPEND private_headers
   Rendering/Tiles/TilePartColors-inl.h
   Rendering/Tiles/TilePieces-inl.h
   Rendering/Tiles/TilePixels-inl.h
+  Rendering/Tiles/TilePrefetch.h
   Rendering/Tiles/TileProjection.h
   Rendering/Tiles/TileRecords-inl.h
   Rendering/Tiles/TileRepair.h
